@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace ossuary {
+
+/// The stable vocabulary of everything that can go wrong with data or environment. The names
+/// returned by `to_string` are part of the interface: they are stored in the index, printed by the
+/// command line and sent in problem documents, so they are never renamed or reused.
+enum class ErrorCode {
+    // any stage
+    kInvalidArgument,
+    kCancelled,
+    kInternal,
+    kOutOfMemory,
+    // files
+    kFileNotFound,
+    kFileUnreadable,
+    kFileUnwritable,
+    kFileTooLarge,
+    kFormatUnsupported,
+    kFormatUnknown,
+    // OFF
+    kOffHeader,
+    kOffBinary,
+    kOffDimension,
+    kOffCounts,
+    kOffTooManyVertices,
+    kOffTooManyFaces,
+    kOffTooManyCorners,
+    kOffTruncated,
+    kOffBadNumber,
+    kOffNonFinite,
+    kOffIndexOutOfRange,
+    kOffLineTooLong,
+    // meshes and volumes
+    kMeshEmpty,
+    kMeshNoExtent,
+    kSolidEmpty,
+    kNpyInvalid,
+    kVolumeTooLarge,
+    // classification files, labels
+    kClaInvalid,
+    kClaUnknownModel,
+    kSegInvalid,
+    // the index
+    kIndexNotFound,
+    kIndexForeign,
+    kIndexNewer,
+    kIndexCorrupt,
+    kIndexBusy,
+    kIndexIo,
+    kIndexParameters,
+    kModelNotFound,
+    kEvaluationNotFound,
+};
+
+struct ErrorCodeName {
+    ErrorCode code;
+    std::string_view name;
+};
+
+/// Every code with its stable name, in the order of the enumeration.
+inline constexpr std::array kErrorCodeNames = {
+    ErrorCodeName{ErrorCode::kInvalidArgument, "invalid_argument"},
+    ErrorCodeName{ErrorCode::kCancelled, "cancelled"},
+    ErrorCodeName{ErrorCode::kInternal, "internal"},
+    ErrorCodeName{ErrorCode::kOutOfMemory, "out_of_memory"},
+    ErrorCodeName{ErrorCode::kFileNotFound, "file_not_found"},
+    ErrorCodeName{ErrorCode::kFileUnreadable, "file_unreadable"},
+    ErrorCodeName{ErrorCode::kFileUnwritable, "file_unwritable"},
+    ErrorCodeName{ErrorCode::kFileTooLarge, "file_too_large"},
+    ErrorCodeName{ErrorCode::kFormatUnsupported, "format_unsupported"},
+    ErrorCodeName{ErrorCode::kFormatUnknown, "format_unknown"},
+    ErrorCodeName{ErrorCode::kOffHeader, "off_header"},
+    ErrorCodeName{ErrorCode::kOffBinary, "off_binary"},
+    ErrorCodeName{ErrorCode::kOffDimension, "off_dimension"},
+    ErrorCodeName{ErrorCode::kOffCounts, "off_counts"},
+    ErrorCodeName{ErrorCode::kOffTooManyVertices, "off_too_many_vertices"},
+    ErrorCodeName{ErrorCode::kOffTooManyFaces, "off_too_many_faces"},
+    ErrorCodeName{ErrorCode::kOffTooManyCorners, "off_too_many_corners"},
+    ErrorCodeName{ErrorCode::kOffTruncated, "off_truncated"},
+    ErrorCodeName{ErrorCode::kOffBadNumber, "off_bad_number"},
+    ErrorCodeName{ErrorCode::kOffNonFinite, "off_non_finite"},
+    ErrorCodeName{ErrorCode::kOffIndexOutOfRange, "off_index_out_of_range"},
+    ErrorCodeName{ErrorCode::kOffLineTooLong, "off_line_too_long"},
+    ErrorCodeName{ErrorCode::kMeshEmpty, "mesh_empty"},
+    ErrorCodeName{ErrorCode::kMeshNoExtent, "mesh_no_extent"},
+    ErrorCodeName{ErrorCode::kSolidEmpty, "solid_empty"},
+    ErrorCodeName{ErrorCode::kNpyInvalid, "npy_invalid"},
+    ErrorCodeName{ErrorCode::kVolumeTooLarge, "volume_too_large"},
+    ErrorCodeName{ErrorCode::kClaInvalid, "cla_invalid"},
+    ErrorCodeName{ErrorCode::kClaUnknownModel, "cla_unknown_model"},
+    ErrorCodeName{ErrorCode::kSegInvalid, "seg_invalid"},
+    ErrorCodeName{ErrorCode::kIndexNotFound, "index_not_found"},
+    ErrorCodeName{ErrorCode::kIndexForeign, "index_foreign"},
+    ErrorCodeName{ErrorCode::kIndexNewer, "index_newer"},
+    ErrorCodeName{ErrorCode::kIndexCorrupt, "index_corrupt"},
+    ErrorCodeName{ErrorCode::kIndexBusy, "index_busy"},
+    ErrorCodeName{ErrorCode::kIndexIo, "index_io"},
+    ErrorCodeName{ErrorCode::kIndexParameters, "index_parameters"},
+    ErrorCodeName{ErrorCode::kModelNotFound, "model_not_found"},
+    ErrorCodeName{ErrorCode::kEvaluationNotFound, "evaluation_not_found"},
+};
+
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < kErrorCodeNames.size(); ++i) {
+            if (static_cast<std::size_t>(kErrorCodeNames[i].code) != i) return false;
+        }
+        return kErrorCodeNames.size() ==
+               static_cast<std::size_t>(ErrorCode::kEvaluationNotFound) + 1;
+    }(),
+    "every error code has its name, in the order of the enumeration");
+
+constexpr std::string_view to_string(ErrorCode code) {
+    return kErrorCodeNames[static_cast<std::size_t>(code)].name;
+}
+
+}  // namespace ossuary

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/core/stopwatch.h"
+#include "engine/descriptor/model_descriptor.h"
+#include "engine/mesh/triangle_mesh.h"
+#include "engine/skeleton/skeletonize.h"
+
+namespace ossuary {
+
+struct DescribeOptions {
+    SkeletonizeOptions skeletonize;
+};
+
+/// All that the index keeps of a model and the rankers need of a query.
+struct Description {
+    ModelDescriptor descriptor;
+    SkeletonGraph skeleton;  ///< refined, in the model's own units; what correspondences index into
+    std::vector<MeshWarning> warnings;
+    StageTimes stage_times;
+};
+
+/// The whole road from a mesh to its descriptor; deterministic.
+/// Errors: those of skeletonize.
+Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& options = {},
+                             std::stop_token stop = {});
+
+}  // namespace ossuary

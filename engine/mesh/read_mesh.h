@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary {
+
+/// Caps that keep a hostile or broken file from taking the machine.
+struct ReadMeshOptions {
+    std::uint64_t max_bytes = 256u << 20;
+    std::uint32_t max_vertices = 5'000'000;
+    std::uint32_t max_faces = 10'000'000;
+    std::uint32_t max_face_corners = 10'000;
+};
+
+struct ReadMeshResult {
+    TriangleMesh mesh;
+    std::vector<MeshWarning> warnings;
+};
+
+/// Reads a model file; the format follows its contents, not its name (today: OFF and relatives).
+/// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported, and those of the
+/// format's own reader (read_off.h).
+Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
+                                 const ReadMeshOptions& options = {});
+
+/// The same from memory; `name` stands for the file in messages.
+Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
+                                 const ReadMeshOptions& options = {});
+
+/// True for file names that the indexer should pick up in a folder (by extension, any case).
+[[nodiscard]] bool is_model_file(const std::filesystem::path& path);
+
+}  // namespace ossuary

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/descriptor/model_descriptor.h"
+#include "engine/matching/match.h"
+
+namespace ossuary {
+
+enum class RankerKind {
+    kHybrid,     ///< skeleton fused with global descriptors; the default
+    kSkeleton,   ///< our best topology-matched, chain-code-ranked measure
+    kChainCode,  ///< the thesis to the letter, sec. 3.3
+};
+
+[[nodiscard]] std::string_view to_string(RankerKind ranker);  ///< hybrid, skeleton, chain-code
+Result<RankerKind> parse_ranker(std::string_view name);
+inline constexpr RankerKind kAllRankers[] = {RankerKind::kHybrid, RankerKind::kSkeleton,
+                                             RankerKind::kChainCode};
+
+struct RankOptions {
+    RankerKind ranker = RankerKind::kHybrid;
+    double pose = 0.15;   ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
+    bool rerank = false;  ///< unsupervised re-ranking over the collection
+    int jobs = 1;
+};
+
+/// What normalisation needs to know of a collection; made once for an index and stored with it.
+/// `values` is opaque to everyone but the rankers and versioned by its first element.
+struct CollectionStatistics {
+    std::vector<double> values;
+};
+
+/// Square matrix of distances, row by row: at(i, j) = distance of model j to query i.
+struct DistanceMatrix {
+    std::size_t size = 0;
+    std::vector<float> values;
+    [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * size + j]; }
+};
+
+using DescriptorSpan = std::span<const ModelDescriptor* const>;
+
+/// The collection's own distance statistics. No class label is used.
+CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs = 1);
+
+/// Distances from a query (in the collection or not) to each model of the collection, as long as
+/// `collection`; the same, bit by bit, for every number of jobs.
+std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+                                   const CollectionStatistics& statistics,
+                                   const RankOptions& options = {});
+
+/// All pairs at once, what `evaluate` uses; row i equals rank_distances of model i.
+DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
+                               const RankOptions& options = {});
+
+/// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
+/// normalised shares of each descriptor and the correspondence is that of `skeleton`.
+Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
+              const CollectionStatistics& statistics, const RankOptions& options = {});
+
+}  // namespace ossuary

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/core/result.h"
+#include "engine/core/stopwatch.h"
+#include "engine/mesh/triangle_mesh.h"
+#include "engine/skeleton/refine.h"
+#include "engine/skeleton/skeleton_graph.h"
+#include "engine/skeleton/thinning.h"
+#include "engine/voxel/voxelize.h"
+
+namespace ossuary {
+
+struct SkeletonizeOptions {
+    VoxelizeOptions voxelize;
+    ThinningOptions thinning;
+    RefineOptions refine;
+};
+
+/// A model's skeleton at each stage of its making; graphs are in voxel units of `solid`'s grid.
+struct Skeleton {
+    VoxelSolid solid;
+    DistanceField distance;
+    BitVolume thinned_volume;
+    SkeletonGraph thinned;
+    SkeletonGraph pruned;
+    SkeletonGraph refined;
+    StageTimes stage_times;  ///< voxelize, distance_transform, thin, refine
+};
+
+/// mesh → voxels → distance transform → thinning → graph → refinement (thesis sec. 3.2).
+/// Errors: those of voxelize, and cancelled when `stop` is requested between stages.
+Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options = {},
+                             std::stop_token stop = {});
+
+}  // namespace ossuary

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string_view>
+
+#include "engine/core/result.h"
+#include "engine/voxel/bit_volume.h"
+#include "engine/voxel/distance_transform.h"
+
+namespace ossuary {
+
+enum class ThinningMethod {
+    kAnchored,  ///< tips found by distance-weighted geodesics, simple points removed inwards
+    kParallel,  ///< the thesis' fully parallel thinning, sec. 3.2.1, then spatial-median unit width
+};
+
+[[nodiscard]] std::string_view to_string(ThinningMethod method);
+Result<ThinningMethod> parse_thinning_method(std::string_view name);
+
+struct ThinningOptions {
+    ThinningMethod method = ThinningMethod::kAnchored;
+    int max_tips = 40;             ///< anchored: at most this many tips
+    double coverage_voxels = 2.5;  ///< anchored: stop when every voxel is covered this well
+    double radius_factor = 1.8;    ///< anchored: how much of a tip's radius counts as covered
+};
+
+/// The curve skeleton of `solid` as voxels: a subset of it with the same components, tunnels and
+/// cavities (always), one voxel wide.
+BitVolume thin(const BitVolume& solid, const DistanceField& distance,
+               const ThinningOptions& options = {});
+
+}  // namespace ossuary
