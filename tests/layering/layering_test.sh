@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# Arrows run one way: server → index → engine, and inside the engine from the later stage to the
+# earlier; a third party's headers stay behind the files that adapt them. Fails on any include that
+# runs back, and proves first, on a planted tree, that it can fail.
+set -euo pipefail
+
+stages=(core mesh voxel skeleton chain_code matching descriptor ranking decomposition)
+
+# The rank of the layer that a path lies in; empty for paths outside the layers (tests).
+layer() {
+    local i
+    case $1 in
+        engine/*)
+            for i in "${!stages[@]}"; do
+                [[ $1 == engine/"${stages[i]}"/* ]] && { echo "$i"; return; }
+            done
+            echo unknown
+            ;;
+        index/*) echo 50 ;;
+        server/*) echo 60 ;;
+        tests/*) echo 90 ;;
+    esac
+}
+
+# header pattern | where it may be included
+adapters=(
+    'OpenMesh/|^engine/mesh/'
+    '(sqlite3|SQLiteCpp)[./]|^index/(store|migrate)'
+    'httplib|^server/http'
+    'embree3/|^(index/thumbnail|engine/descriptor)/'
+    'png\.h|^index/thumbnail/'
+    'prometheus/|^server/metrics'
+    'CLI/|^(index/cli|server)/'
+    'nlohmann/|^(index|server)/'
+    'tbb/|^engine/core/'
+)
+
+# check_tree ROOT: prints each violation; returns 1 when there is one.
+check_tree() {
+    local root=$1 bad=0 file line included from to rule
+    while IFS=: read -r file line included; do
+        from=$(layer "$file")
+        if [[ $included =~ \"([^\"]+)\" ]]; then
+            local target=${BASH_REMATCH[1]}
+            to=$(layer "$target")
+            if [[ $to == unknown ]]; then
+                echo "$file:$line: $target lies in no stage of the engine"; bad=1
+            elif [[ -n $to && -n $from && $to -gt $from ]]; then
+                echo "$file:$line: an arrow runs back: $target"; bad=1
+            elif [[ -z $to ]]; then
+                echo "$file:$line: write the include from the root of the repository: $target"; bad=1
+            fi
+        fi
+        for rule in "${adapters[@]}"; do
+            if [[ $included =~ [\<\"](${rule%%|^*}) && ! $file =~ ^tests/ ]] &&
+                ! [[ $file =~ ^(${rule#*|^}) ]]; then
+                echo "$file:$line: a third party's header outside its adapter: $included"; bad=1
+            fi
+        done
+    done < <(cd "$root" && grep -rnE '^[[:space:]]*#[[:space:]]*include' --include='*.h' \
+        --include='*.cpp' --exclude-dir=build engine index server tests 2> /dev/null || true)
+    # three.js belongs to the viewer.
+    while IFS=: read -r file line included; do
+        [[ $file == web/src/viewer/* ]] && continue
+        echo "$file:$line: three.js outside web/src/viewer: $included"; bad=1
+    done < <(cd "$root" && grep -rnE "from ['\"]three(/|['\"])" --include='*.ts' web/src 2> /dev/null || true)
+    return $bad
+}
+
+planted=$(mktemp -d)
+trap 'rm -rf "$planted"' EXIT
+mkdir -p "$planted"/{engine/core,engine/voxel,engine/ranking,index,server,tests,web/src/gallery}
+echo '#include "engine/ranking/ranker.h"' > "$planted/engine/voxel/back.cpp"
+echo '#include "server/http.h"' > "$planted/index/back.cpp"
+echo '#include <httplib.h>' > "$planted/server/handler.cpp"
+echo '#include "result.h"' > "$planted/engine/core/local.cpp"
+echo "import { Scene } from 'three';" > "$planted/web/src/gallery/grid.ts"
+echo '#include "engine/core/result.h"' > "$planted/engine/voxel/fine.cpp"
+found=$(check_tree "$planted" || true)
+for expected in engine/voxel/back.cpp index/back.cpp server/handler.cpp engine/core/local.cpp \
+    web/src/gallery/grid.ts; do
+    grep -q "^$expected:" <<< "$found" || { echo "the check does not see $expected"; exit 1; }
+done
+! grep -q fine.cpp <<< "$found" || { echo "the check blames fine.cpp"; exit 1; }
+
+check_tree "$1" && echo "no arrow runs back"
