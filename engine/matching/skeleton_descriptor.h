@@ -1,40 +1,58 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "engine/matching/rooted_skeleton.h"
+#include "engine/matching/topological_signature.h"
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
 
-// First sketch; engine/matching owns this file and may reshape the fields. What must stay: it is a
-// value type, made by describe_skeleton from a refined graph, compact (a few kilobytes), free of
-// scale and position, and node / branch indices are those of the graph it was made from.
+/// All that the rankers `chain-code` and `skeleton` need of a model's skeleton: free of scale and
+/// position, a few kilobytes. Node and branch indices are those of the graph it was made from.
+///
+/// `nodes` and `branches` are what a store keeps; `rooted` and `hierarchy` follow from them alone,
+/// bit by bit, so a store leaves them out and calls `derive_matching_data` after loading.
 struct SkeletonDescriptor {
     struct Node {
-        double significance = 0.0;
-        double radius = 0.0;  ///< over the scale
+        std::array<float, 3> position{};  ///< from the skeleton's centre, over the scale
+        float radius = 0.0F;              ///< over the scale
+        float significance = 0.0F;        ///< eq. 3.3, as a share of the sum over all nodes
     };
     struct Branch {
         std::uint32_t a = 0;
-        std::uint32_t b = 0;
+        std::uint32_t b = 0;        ///< equals `a` for a loop through one node
         std::string chain_code;     ///< 5-element code, '0'-'4', from the more significant node
-        std::vector<float> points;  ///< x y z of the resampled branch over the scale, a → b
+        std::vector<float> points;  ///< x y z of the resampled branch like Node::position, a → b
         std::vector<float> radii;   ///< over the scale, one a resampled point
-        float length = 0.0F;        ///< over the scale
+        float length = 0.0F;        ///< over the scale, of the refined branch
     };
     std::vector<Node> nodes;
     std::vector<Branch> branches;
+
+    RootedSkeletons rooted;   ///< derived; for `skeleton`
+    SignatureTree hierarchy;  ///< derived; for `chain-code`
 };
 
 struct DescribeSkeletonOptions {
     double sample_step = 0.05;  ///< resampling step over the scale
+    int max_samples = 256;      ///< of one branch; longer branches get a longer step
 };
 
-/// @param refined  in any unit
-/// @param scale    square root of the model's surface area in the same unit, > 0
+/// @param refined  in VOXEL units of a grid whose longest side is the indexing resolution: the
+///                 5-element codes are read off that grid's lattice
+/// @param scale    square root of the model's surface area, in voxels too, > 0
 SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
                                      const DescribeSkeletonOptions& options = {});
+
+/// Recomputes `rooted` and `hierarchy` from `nodes` and `branches`; what a store calls after
+/// loading.
+/// @pre every branch end is an index into `nodes`, `points` holds three floats a radius and at
+/// least
+///      two points
+void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& options = {});
 
 }  // namespace ossuary
