@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/ranking/classification.h"
+#include "engine/ranking/ranker.h"
+#include "engine/ranking/retrieval_metrics.h"
+#include "index/model.h"
+#include "index/snapshot.h"
+#include "index/store.h"
+
+namespace ossuary::index {
+
+struct EvaluateOptions {
+    /// Evaluate the models that it names, in its order and with its classes; none = all models of
+    /// the index that have a class, in the order of their ids.
+    std::optional<Classification> classification;
+    RankOptions rank;
+};
+
+struct Evaluation {
+    RankerKind ranker = RankerKind::kHybrid;
+    bool rerank = false;
+    double pose = 0.0;
+    RetrievalReport report;
+    DistanceMatrix distances;         ///< empty when the report came from the cache
+    std::vector<ModelId> order;       ///< of rows and columns
+    std::vector<std::string> labels;  ///< class of each row
+    Revision revision = 0;
+    std::string computed_at;  ///< ISO 8601, UTC
+};
+
+/// Leave-one-out retrieval quality over a snapshot; a function of the snapshot and the options.
+/// Errors: cla_unknown_model when the classification names a model that is not in the index,
+/// invalid_argument when fewer than two models of one class remain.
+Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options = {});
+
+/// The same, from the store's cache when it has it; computed and kept there (if the store is
+/// writable) when not. Cached evaluations come without distances.
+Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
+                                   const EvaluateOptions& options = {});
+
+/// Writes the distances as little-endian float32, row by row: what the Princeton tools read.
+Result<void> write_matrix(const std::filesystem::path& path, const DistanceMatrix& distances);
+
+}  // namespace ossuary::index

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/ranking/classification.h"
+#include "index/model.h"
+#include "index/store.h"
+
+namespace ossuary::index {
+
+struct IndexOptions {
+    /// Files (any) and folders (walked for model files, sorted); each must exist.
+    std::vector<std::filesystem::path> paths;
+    std::optional<Classification> classes;  ///< names the models' classes; id N is N.off or mN.off
+    int jobs = 0;                           ///< models described at once; 0 = hardware threads
+    bool prune = false;         ///< remove the models under `paths` whose files are gone
+    bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
+    double model_timeout_seconds = 600.0;  ///< a model may take this long; 0 = for ever
+    std::size_t batch_models = 32;         ///< at most so many models a transaction
+    double batch_seconds = 2.0;            ///< and at least one transaction in this time
+};
+
+/// How far indexing has come.
+struct IndexProgress {
+    std::size_t done = 0;
+    std::size_t total = 0;
+    std::size_t indexed = 0;
+    std::size_t unchanged = 0;
+    std::size_t failed = 0;
+    double models_per_second = 0.0;  ///< of models described, not of those skipped
+    double eta_seconds = 0.0;
+    std::string path;  ///< of the model done last
+};
+
+/// Hears what the indexer does; called from one thread at a time.
+class ProgressSink {
+public:
+    virtual ~ProgressSink() = default;
+    virtual void progress(const IndexProgress&) {}
+    virtual void failed(const Failure&) {}
+    /// What goes on besides single models: "computing statistics of 380 models"
+    virtual void phase(std::string_view) {}
+};
+
+struct IndexOutcome {
+    std::size_t files = 0;           ///< found under `paths`
+    std::size_t indexed = 0;         ///< described now, or copied from a model with the same bytes
+    std::size_t moved = 0;           ///< same bytes, new path
+    std::size_t unchanged = 0;       ///< skipped, already in the index
+    std::size_t failed = 0;          ///< failed now
+    std::size_t known_failures = 0;  ///< skipped, failed before with the same bytes
+    std::size_t classified = 0;      ///< unchanged models whose class changed
+    std::size_t pruned = 0;
+    Revision revision = 0;
+    double seconds = 0.0;
+};
+
+/// Brings the index up to date with the files under `options.paths`. A model that fails is recorded
+/// and the rest goes on. The outcome in the index is the same for every number of jobs, and after a
+/// kill the next run goes on where the last one's final transaction ended.
+/// Errors: file_not_found for a path that does not exist, those of the store, cancelled when `stop`
+/// was requested (what is done by then stays).
+Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, ProgressSink& sink,
+                                  std::stop_token stop = {});
+
+/// A model that comes as bytes instead of as a file.
+struct UploadedModel {
+    std::string bytes;
+    std::string name;
+    std::string class_name;
+};
+
+/// Adds one model; the same bytes again give the same id. Statistics are brought up to date.
+/// Errors: those of read_mesh and describe (nothing is recorded), those of the store.
+Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
+
+/// Recomputes the collection's statistics if they are not those of the current revision.
+Result<void> update_statistics(Store& store, int jobs = 1);
+
+}  // namespace ossuary::index

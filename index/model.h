@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/geometry.h"
+#include "engine/descriptor/describe.h"
+#include "engine/mesh/triangle_mesh.h"
+#include "engine/skeleton/skeleton_graph.h"
+#include "engine/skeleton/thinning.h"
+
+namespace ossuary::index {
+
+/// A model's number in its index: given in the order of indexing, from 1, never used twice.
+using ModelId = std::int64_t;
+
+/// Raised whenever the same file would be described differently; an index that was built with
+/// another version has to be built again.
+inline constexpr int kPipelineVersion = 1;
+
+/// How the models of an index were described. All of one index are described alike, and queries
+/// like them, so these are fixed when an index is made.
+struct IndexParameters {
+    int resolution = 96;  ///< voxels along the longest side
+    ThinningMethod thinning = ThinningMethod::kAnchored;
+    int pipeline = kPipelineVersion;
+
+    bool operator==(const IndexParameters&) const = default;
+};
+
+/// The stages' options that `parameters` stand for.
+[[nodiscard]] DescribeOptions describe_options(const IndexParameters& parameters);
+
+/// What lists and pages show of a model.
+struct ModelSummary {
+    ModelId id = 0;
+    std::string name;          ///< file name without folder and extension, e.g. "elephant"
+    std::string class_name;    ///< empty where no class is known
+    std::string path;          ///< absolute; empty for a model that was uploaded
+    std::string content_hash;  ///< XXH3-128 of the file's bytes, 32 hexadecimal digits
+    std::uint32_t vertices = 0;
+    std::uint32_t faces = 0;     ///< polygons in the file
+    std::uint32_t nodes = 0;     ///< of the refined skeleton
+    std::uint32_t branches = 0;  ///< of the refined skeleton
+    Box3 bounds;                 ///< model units
+    double surface_area = 0.0;   ///< model units squared
+    std::vector<MeshWarning> warnings;
+    std::string indexed_at;  ///< ISO 8601, UTC, e.g. 2026-01-01T00:00:00Z
+};
+
+/// A coarse copy of a model for viewers: at most about 2000 triangles.
+struct PreviewMesh {
+    std::vector<float> positions;          ///< x y z a vertex, model units
+    std::vector<std::uint32_t> triangles;  ///< three vertex indices a triangle
+};
+
+/// A model's refined skeleton in model units, with the 5-element chain code of each branch.
+struct StoredSkeleton {
+    SkeletonGraph graph;
+    std::vector<std::string> chain_codes;  ///< as long as graph.branches
+};
+
+/// All that the index keeps of one model. `summary.id`, `nodes`, `branches` and `indexed_at` are
+/// set by the store.
+struct NewModel {
+    ModelSummary summary;
+    ModelDescriptor descriptor;
+    SkeletonGraph skeleton;  ///< refined, model units; indices as in `descriptor.skeleton`
+    PreviewMesh preview;
+    std::vector<std::uint8_t> thumbnail;  ///< PNG; empty where none could be drawn
+};
+
+/// A file that could not be indexed, and why.
+struct Failure {
+    std::string path;
+    std::string content_hash;  ///< empty where the file could not be read
+    std::string code;          ///< name of an ErrorCode
+    std::string message;
+    std::string failed_at;  ///< ISO 8601, UTC
+};
+
+}  // namespace ossuary::index

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/core/stopwatch.h"
+#include "engine/mesh/triangle_mesh.h"
+#include "index/evaluation.h"
+#include "index/indexer.h"
+#include "index/model.h"
+#include "index/searcher.h"
+#include "index/store.h"
+
+namespace ossuary::index {
+
+// The JSON that the command line prints and the server sends; one place, so that they agree.
+
+[[nodiscard]] nlohmann::json to_json(const Box3& box);  ///< {min, max}
+[[nodiscard]] nlohmann::json to_json(const std::vector<MeshWarning>& warnings);
+[[nodiscard]] nlohmann::json to_json(const StageTimes& times);  ///< {stage: ms}
+[[nodiscard]] nlohmann::json to_json(const std::vector<DistancePart>& parts);
+[[nodiscard]] nlohmann::json to_json(const Correspondence& match);
+[[nodiscard]] nlohmann::json to_json(const StoredSkeleton& skeleton);
+/// A skeleton without chain codes; `unit` is "model" or "voxel".
+[[nodiscard]] nlohmann::json to_json(const SkeletonGraph& graph, std::string_view unit = "model");
+[[nodiscard]] nlohmann::json to_json(const PreviewMesh& mesh, const Box3& bounds);
+[[nodiscard]] nlohmann::json to_json(const ModelSummary& model);  ///< without links
+[[nodiscard]] nlohmann::json to_json(const Failure& failure);
+[[nodiscard]] nlohmann::json to_json(const Hit& hit);
+[[nodiscard]] nlohmann::json to_json(const Comparison& comparison, const RankOptions& options);
+[[nodiscard]] nlohmann::json to_json(const Evaluation& evaluation);
+[[nodiscard]] nlohmann::json to_json(const IndexOutcome& outcome);
+[[nodiscard]] nlohmann::json to_json(const VerifyReport& report);
+[[nodiscard]] nlohmann::json to_json(const IndexParameters& parameters);
+
+/// What a search answer says of its query.
+struct QueryDescription {
+    std::string name;
+    std::size_t vertices = 0;
+    std::size_t faces = 0;
+};
+/// A whole search answer.
+[[nodiscard]] nlohmann::json to_json(const SearchResult& result, const QueryDescription& query,
+                                     const RankOptions& options);
+
+}  // namespace ossuary::index

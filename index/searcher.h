@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/core/stopwatch.h"
+#include "engine/matching/match.h"
+#include "engine/mesh/triangle_mesh.h"
+#include "engine/ranking/ranker.h"
+#include "index/model.h"
+#include "index/snapshot.h"
+#include "index/store.h"
+
+namespace ossuary::index {
+
+struct SearchOptions {
+    RankOptions rank;
+    std::size_t limit = 10;    ///< hits returned; 0 = all
+    std::string class_filter;  ///< only hits of this class; empty = all
+    bool with_match = true;    ///< parts and correspondences of the returned hits
+};
+
+struct Hit {
+    std::size_t rank = 0;  ///< from 1
+    ModelId id = 0;
+    std::string name;
+    std::string class_name;
+    double distance = 0.0;
+    std::vector<DistancePart> parts;
+    std::size_t matched_nodes = 0;
+    Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
+};
+
+struct SearchResult {
+    double took_ms = 0.0;
+    StageTimes stages_ms;
+    StoredSkeleton query_skeleton;  ///< model units
+    std::vector<MeshWarning> warnings;
+    std::vector<Hit> hits;   ///< nearest first; equal distances in the order of ids
+    std::size_t models = 0;  ///< compared with
+    Revision revision = 0;
+};
+
+/// One side of a comparison.
+struct ComparedModel {
+    ModelSummary summary;  ///< id 0 and only the name for a model that is not in an index
+    StoredSkeleton skeleton;
+};
+struct Comparison {
+    ComparedModel a;
+    ComparedModel b;
+    Match match;
+};
+
+/// Compares two meshes without an index. Distances of `hybrid` are then not normalised by any
+/// collection.
+Result<Comparison> compare_meshes(const TriangleMesh& a, const TriangleMesh& b,
+                                  const IndexParameters& parameters = {},
+                                  const RankOptions& options = {}, std::stop_token stop = {});
+
+/// Answers queries over an index. Safe to call from several threads at once.
+class Searcher {
+public:
+    /// Errors: those of Store::open, index_parameters when the index was built by another version
+    /// of the pipeline.
+    static Result<Searcher> open(const std::filesystem::path& path,
+                                 Access access = Access::kReadOnly);
+    Searcher(Searcher&&) noexcept;
+    Searcher& operator=(Searcher&&) noexcept;
+    ~Searcher();
+
+    /// The index at its current revision: what was loaded before if nothing has changed.
+    Result<std::shared_ptr<const Snapshot>> snapshot();
+    /// For whatever is not in the snapshot: pages, previews, thumbnails.
+    [[nodiscard]] Store& store();
+
+    /// Errors: those of describe, cancelled.
+    Result<SearchResult> search(const TriangleMesh& query, const SearchOptions& options = {},
+                                std::stop_token stop = {});
+    /// The models nearest to an indexed one, itself left out. Errors: model_not_found.
+    Result<SearchResult> similar(ModelId id, const SearchOptions& options = {});
+    /// Errors: model_not_found.
+    Result<Comparison> compare(ModelId a, ModelId b, const RankOptions& options = {});
+
+private:
+    struct Impl;
+    explicit Searcher(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ossuary::index

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/descriptor/model_descriptor.h"
+#include "engine/ranking/ranker.h"
+#include "index/model.h"
+#include "index/store.h"
+
+namespace ossuary::index {
+
+/// An index's models at one revision, in memory and immutable, so that any number of threads may
+/// search it while the index grows. A later snapshot shares the descriptors of unchanged models.
+class Snapshot {
+public:
+    /// Reads the store's current revision; with `previous`, only what has changed since.
+    static Result<std::shared_ptr<const Snapshot>> load(Store& store,
+                                                        const Snapshot* previous = nullptr);
+
+    [[nodiscard]] Revision revision() const { return revision_; }
+    [[nodiscard]] std::size_t size() const { return models_.size(); }
+    /// In the order of their ids.
+    [[nodiscard]] const std::vector<ModelSummary>& models() const { return models_; }
+    /// As long as `models()`, in the same order.
+    [[nodiscard]] DescriptorSpan descriptors() const { return descriptor_pointers_; }
+    [[nodiscard]] const CollectionStatistics& statistics() const { return statistics_; }
+    /// Position of a model in `models()`; none when it is not there.
+    [[nodiscard]] std::optional<std::size_t> find(ModelId id) const;
+
+private:
+    Snapshot() = default;
+
+    Revision revision_ = 0;
+    std::vector<ModelSummary> models_;
+    std::vector<Revision> changed_at_;
+    std::vector<std::shared_ptr<const ModelDescriptor>> descriptors_;
+    std::vector<const ModelDescriptor*> descriptor_pointers_;
+    CollectionStatistics statistics_;
+};
+
+}  // namespace ossuary::index

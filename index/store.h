@@ -1,0 +1,204 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/descriptor/model_descriptor.h"
+#include "engine/ranking/ranker.h"
+#include "engine/ranking/retrieval_metrics.h"
+#include "index/model.h"
+
+namespace ossuary::index {
+
+enum class Access { kReadOnly, kReadWrite };
+
+/// Counts every committed change of an index's models, from 0; what readers follow.
+using Revision = std::int64_t;
+
+// The changes that one transaction may hold.
+struct PutModel {  ///< adds the model, or replaces the one that has its path
+    NewModel model;
+};
+struct CopyModel {  ///< adds a model whose bytes equal those of `source`
+    ModelId source = 0;
+    std::string path, name, class_name;
+};
+struct MoveModel {  ///< the file of `id` is now at `path`
+    ModelId id = 0;
+    std::string path, name;
+    std::optional<std::string> class_name;  ///< none = as it was
+};
+struct ClassifyModel {
+    ModelId id = 0;
+    std::string class_name;
+};
+struct RemoveModel {
+    ModelId id = 0;
+};
+struct RecordFailure {  ///< replaces an earlier failure and, if its bytes differ, model of the path
+    std::string path, content_hash;
+    Error error;
+};
+struct ForgetFailure {
+    std::string path;
+};
+using Change = std::variant<PutModel, CopyModel, MoveModel, ClassifyModel, RemoveModel,
+                            RecordFailure, ForgetFailure>;
+
+/// What is to be done for a file, see Store::claim_work.
+struct Work {
+    enum class Kind {
+        kDescribe,      ///< new, or its bytes changed
+        kUnchanged,     ///< `models` holds the model
+        kKnownFailure,  ///< the same bytes failed before; `failure` says how
+        kSameContent,   ///< `models` lists models of other paths with the same bytes
+    };
+    Kind kind = Kind::kDescribe;
+    std::vector<ModelSummary> models;
+    std::optional<Failure> failure;
+};
+
+/// A page of models in the order of their ids.
+struct ModelFilter {
+    ModelId after = 0;                      ///< only ids above
+    std::size_t limit = 100;                ///< 0 = all
+    std::optional<std::string> class_name;  ///< only this class
+    std::string name_contains;              ///< part of the name, any case (ASCII)
+};
+struct ModelPage {
+    std::vector<ModelSummary> models;
+    std::optional<ModelId> next;  ///< `after` of the next page; none when this is the last
+    std::size_t total = 0;        ///< models that pass the filter, on all pages
+    Revision revision = 0;
+};
+
+struct StoredDescriptor {
+    ModelId id = 0;
+    ModelDescriptor descriptor;  ///< with its derived matching data
+};
+struct StoredSignature {
+    ModelId id = 0;
+    std::vector<float> signature;
+};
+/// The collection's statistics and the revision that they were made at.
+struct StoredStatistics {
+    CollectionStatistics statistics;
+    Revision revision = 0;
+};
+
+/// Names one cached evaluation.
+struct EvaluationKey {
+    Revision revision = 0;
+    RankerKind ranker = RankerKind::kHybrid;
+    bool rerank = false;
+    double pose = 0.0;
+    std::string collection_hash;  ///< of the evaluated ids and their classes, 32 hex digits
+};
+struct StoredEvaluation {
+    EvaluationKey key;
+    RetrievalReport report;
+    std::string computed_at;  ///< ISO 8601, UTC
+};
+
+/// Something that Store::verify found wrong.
+struct Finding {
+    std::string subject;  ///< e.g. "model 7, skeleton"
+    std::string message;
+};
+struct VerifyReport {
+    std::size_t models = 0;
+    std::size_t blobs = 0;  ///< decoded
+    std::size_t failures = 0;
+    Revision revision = 0;
+    std::vector<Finding> findings;  ///< empty for a sound index
+};
+
+/// One index on disk (docs/index-format.md). The only file of the program that knows SQL; a store
+/// for several machines would offer the same calls. Safe to call from several threads, which then
+/// take turns; other processes may read and write the same index meanwhile.
+///
+/// Errors of every call: index_busy when another process holds the write lock for longer than ten
+/// seconds, index_io for a full disk and the like, index_corrupt for damaged contents,
+/// model_not_found for an id that is not there.
+class Store {
+public:
+    /// Opens an index. Nothing is ever written to a file that is not an index. An index of an
+    /// older version is first migrated, in one transaction a version.
+    /// Errors: index_not_found, index_foreign (not an index), index_newer, index_io …
+    static Result<Store> open(const std::filesystem::path& path, Access access);
+    /// The same for writing; makes the index if there is no file, or an empty one.
+    /// Errors: also index_parameters when the index was built with other parameters.
+    static Result<Store> create_or_open(const std::filesystem::path& path,
+                                        const IndexParameters& parameters);
+    Store(Store&&) noexcept;
+    Store& operator=(Store&&) noexcept;
+    ~Store();
+
+    [[nodiscard]] const std::filesystem::path& path() const;
+    [[nodiscard]] const IndexParameters& parameters() const;
+    /// The schema's version, after any migration.
+    [[nodiscard]] int version() const;
+    Result<Revision> revision();
+
+    // Writing. All changes of one call are one transaction and one revision, or nothing happens.
+
+    /// The model's id for each change, in order; 0 for those that concern no model.
+    Result<std::vector<ModelId>> apply(std::span<const Change> changes);
+    Result<ModelId> put(NewModel model);
+    Result<void> remove(ModelId id);
+
+    // Work for the indexer. The claim is not exclusive: should two processes describe the same
+    // file, the second finds it done when it comes to write.
+
+    Result<Work> claim_work(std::string_view path, std::string_view content_hash);
+
+    // Reading.
+
+    Result<ModelPage> models(const ModelFilter& filter = {});
+    Result<ModelSummary> model(ModelId id);
+    /// Models by name (exact), in the order of their ids.
+    Result<std::vector<ModelSummary>> models_named(std::string_view name);
+    /// Each model's id and the revision at which it last changed, in the order of ids.
+    Result<std::vector<std::pair<ModelId, Revision>>> changes();
+    /// Summaries and descriptors of `ids` (ascending), in that order; ids that are gone are left
+    /// out.
+    Result<std::vector<ModelSummary>> summaries(std::span<const ModelId> ids);
+    Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids);
+    Result<std::vector<StoredSignature>> signatures();
+    Result<StoredSkeleton> skeleton(ModelId id);
+    Result<PreviewMesh> preview(ModelId id);
+    Result<std::vector<std::uint8_t>> thumbnail(ModelId id);
+    Result<std::vector<Failure>> failures();
+
+    // What is computed over the whole collection.
+
+    Result<std::optional<StoredStatistics>> statistics();
+    Result<void> put_statistics(const CollectionStatistics& statistics, Revision revision);
+    Result<std::optional<StoredEvaluation>> evaluation(const EvaluationKey& key);
+    /// Those of the current revision, newest first.
+    Result<std::vector<StoredEvaluation>> evaluations();
+    /// Keeps the evaluation and drops those of earlier revisions.
+    Result<void> put_evaluation(const EvaluationKey& key, const RetrievalReport& report);
+
+    /// Reads everything: SQLite's own checks, every blob, indices, hashes, cross references.
+    Result<VerifyReport> verify();
+    /// Writes the log back into the file, so that the file alone is the whole index.
+    Result<void> checkpoint();
+
+private:
+    struct Impl;
+    explicit Store(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ossuary::index
