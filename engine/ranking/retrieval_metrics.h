@@ -11,14 +11,15 @@ namespace ossuary {
 
 /// Retrieval quality of one query, or the mean over several. Definitions are those of the Princeton
 /// Shape Benchmark (Shilane et al., "The Princeton Shape Benchmark", SMI 2004, sec. 4): leave one
-/// out, the query itself removed from its ranked list.
+/// out, the query itself removed from its ranked list of N - 1 models. |C| is the size of the
+/// query's class with the query.
 struct RetrievalMetrics {
-    double nearest_neighbor = 0.0;
-    double first_tier = 0.0;
-    double second_tier = 0.0;
-    double e_measure = 0.0;  ///< over the first 32 results
-    double dcg = 0.0;        ///< normalised
-    double mean_average_precision = 0.0;
+    double nearest_neighbor = 0.0;  ///< 1 where the first model is of the query's class
+    double first_tier = 0.0;        ///< share of the class among the first |C| - 1
+    double second_tier = 0.0;       ///< share of the class among the first 2(|C| - 1)
+    double e_measure = 0.0;         ///< 2 / (1/P + 1/R) over the first min(32, N - 1) results
+    double dcg = 0.0;  ///< gain 1 at ranks 1 and 2, 1 / log2(rank) after, over the best possible
+    double mean_average_precision = 0.0;  ///< precision at each model of the class, averaged
 };
 
 struct PrecisionRecallPoint {
@@ -32,21 +33,40 @@ struct ClassMetrics {
     RetrievalMetrics metrics;
 };
 
-struct RetrievalReport {
-    std::size_t models = 0;  ///< queries: models of classes with at least two members
-    std::size_t classes = 0;
-    RetrievalMetrics mean;                               ///< over all queries
-    std::vector<PrecisionRecallPoint> precision_recall;  ///< 20 points, recall .05 … 1
-    std::vector<ClassMetrics> per_class;                 ///< in order of first appearance
-    /// confusion[i * classes + j]: share of queries of class i whose nearest neighbour is of class
-    /// j
-    std::vector<double> confusion;
+struct QueryMetrics {
+    std::size_t model = 0;  ///< row of the matrix
+    RetrievalMetrics metrics;
 };
 
-/// @param labels  class of each model, as long as the matrix is wide; ties in distance are broken
-/// by
-///                index, so that the report is a function of the matrix alone
+struct RetrievalReport {
+    std::size_t models = 0;       ///< queries: models of classes with enough members
+    std::size_t classes = 0;      ///< classes that the queries are of
+    RetrievalMetrics mean;        ///< over all queries (micro average)
+    RetrievalMetrics macro_mean;  ///< over classes, each the mean of its queries
+    /// 20 points, recall .05 … 1, averaged over queries. A query of a class with m others knows the
+    /// precision at recall 1/m, 2/m … 1; between these it is interpolated linearly, and below 1/m
+    /// the query takes no part in the mean, as with the Princeton tool psbPlot. A recall that no
+    /// query reaches has precision 0.
+    std::vector<PrecisionRecallPoint> precision_recall;
+    std::vector<ClassMetrics> per_class;  ///< in order of first appearance, `classes` of them
+    /// confusion[i * classes + j]: share of queries of class i whose nearest neighbour is of class
+    /// j. A row sums to less than 1 where neighbours are of classes that are no queries.
+    std::vector<double> confusion;
+    std::vector<QueryMetrics> per_query;  ///< in the order of the matrix
+};
+
+struct RetrievalOptions {
+    /// Smaller classes are no queries, but stay in the ranked lists of others. The paper leaves out
+    /// what has nothing to find; the tools psbTable and psbPlot average from 3 members on.
+    std::size_t min_class_size = 2;
+};
+
+/// @param labels  class of each model, as long as the matrix is wide; an empty label and "-1" (the
+///                benchmark's miscellaneous class) stand for no class: never a query, never
+///                relevant. Ties in distance are broken by index, and what is not a number comes
+///                last, so that the report is a function of the matrix alone.
 RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
-                                   std::span<const std::string> labels);
+                                   std::span<const std::string> labels,
+                                   const RetrievalOptions& options = {});
 
 }  // namespace ossuary
