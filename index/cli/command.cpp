@@ -1,0 +1,45 @@
+#include "index/cli/command.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "index/cli/console.h"
+
+namespace ossuary::cli {
+
+void set_body(CLI::App& command, Session& session, CommandBody body) {
+    command.add_flag("--json", session.json, "Print data as JSON on stdout");
+    command.add_option("--jobs,-j", session.jobs, "Worker threads (0 = all)")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.callback([&session, body = std::move(body)] {
+        const Result<ExitCode> outcome = body();
+        if (outcome.ok()) {
+            session.exit_code = *outcome;
+        } else {
+            print_error(outcome.error(), session);
+            session.exit_code = exit_code_for(outcome.error().code);
+        }
+    });
+}
+
+void print_error(const Error& error, const Session& session) {
+    if (session.json) {
+        const nlohmann::json document = {
+            {"error", {{"code", to_string(error.code)}, {"message", error.message}}}};
+        std::cerr << document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
+                  << '\n';
+        return;
+    }
+    std::cerr << fmt::format("ossuary: {}{}{}: {}\n", style(Style::kError), to_string(error.code),
+                             style(Style::kPlain), error.message);
+}
+
+void print_json(const nlohmann::json& document) {
+    std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace ossuary::cli

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "engine/ranking/classification.h"
+#include "index/cli/command.h"
+#include "index/cli/console.h"
+#include "index/cli/options.h"
+#include "index/evaluation.h"
+#include "index/presentation.h"
+#include "index/report.h"
+#include "index/searcher.h"
+
+namespace ossuary::cli {
+namespace {
+
+struct Options {
+    std::string index_path;
+    std::string classes_path;
+    std::string matrix_path;
+    std::string report_folder;
+    RankingOptions ranking;
+};
+
+std::vector<std::string> metric_cells(const RetrievalMetrics& m) {
+    std::vector<std::string> cells;
+    for (const double value : {m.nearest_neighbor, m.first_tier, m.second_tier, m.e_measure, m.dcg,
+                               m.mean_average_precision}) {
+        cells.push_back(fmt::format("{:.3f}", value));
+    }
+    return cells;
+}
+
+void print_evaluation(const index::Evaluation& evaluation) {
+    std::cout << fmt::format("{}{}: {} models in {} classes\n", to_string(evaluation.ranker),
+                             evaluation.rerank ? " with re-ranking" : "", evaluation.report.models,
+                             evaluation.report.classes);
+    Table table({{"class"},
+                 {"models", Align::kRight},
+                 {"NN", Align::kRight},
+                 {"first tier", Align::kRight},
+                 {"second tier", Align::kRight},
+                 {"E-measure", Align::kRight},
+                 {"DCG", Align::kRight},
+                 {"MAP", Align::kRight}});
+    const auto add = [&](const std::string& name, std::size_t models, const RetrievalMetrics& m) {
+        std::vector<std::string> cells = {name, std::to_string(models)};
+        for (std::string& cell : metric_cells(m)) cells.push_back(std::move(cell));
+        table.add_row(std::move(cells));
+    };
+    for (const ClassMetrics& row : evaluation.report.per_class) {
+        add(row.name, row.models, row.metrics);
+    }
+    add("mean over models", evaluation.report.models, evaluation.report.mean);
+    std::cout << table.text();
+}
+
+Result<std::vector<index::Evaluation>> evaluate_all(const Options& options,
+                                                    const Session& session) {
+    const Result<std::vector<RankOptions>> ranks = options.ranking.rank_options(session.jobs);
+    if (!ranks.ok()) return ranks.error();
+    index::EvaluateOptions evaluate_options;
+    if (!options.classes_path.empty()) {
+        Result<Classification> classes = read_classification(options.classes_path);
+        if (!classes.ok()) return classes.error();
+        evaluate_options.classification = *std::move(classes);
+    }
+    Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
+    if (!searcher.ok()) return searcher.error();
+    const auto snapshot = searcher->snapshot();
+    if (!snapshot.ok()) return snapshot.error();
+    std::vector<index::Evaluation> evaluations;
+    for (const RankOptions& rank : *ranks) {
+        evaluate_options.rank = rank;
+        Result<index::Evaluation> evaluation = index::evaluate(**snapshot, evaluate_options);
+        if (!evaluation.ok()) return evaluation.error();
+        evaluations.push_back(*std::move(evaluation));
+    }
+    return evaluations;
+}
+
+Result<ExitCode> run(const Options& options, const Session& session) {
+    if (!options.matrix_path.empty() && options.ranking.rankers.size() > 1) {
+        return {ErrorCode::kInvalidArgument, "--matrix holds one ranker's distances: name one"};
+    }
+    const Result<std::vector<index::Evaluation>> evaluations = evaluate_all(options, session);
+    if (!evaluations.ok()) return evaluations.error();
+    if (!options.matrix_path.empty()) {
+        const auto written =
+            index::write_matrix(options.matrix_path, evaluations->front().distances);
+        if (!written.ok()) return written.error();
+    }
+    if (!options.report_folder.empty()) {
+        const auto written = index::write_report(options.report_folder, *evaluations);
+        if (!written.ok()) return written.error();
+        std::cerr << fmt::format("report written to {}/report.html\n", options.report_folder);
+    }
+    if (!session.json) {
+        for (const index::Evaluation& evaluation : *evaluations) print_evaluation(evaluation);
+    } else if (evaluations->size() == 1) {
+        print_json(index::to_json(evaluations->front()));
+    } else {
+        nlohmann::json list = nlohmann::json::array();
+        for (const auto& evaluation : *evaluations) list.push_back(index::to_json(evaluation));
+        print_json(list);
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Session& session) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "evaluate", "Leave-one-out retrieval quality: NN, tiers, E-measure, DCG, MAP, by class");
+    add_index_option(*command, options->index_path);
+    command
+        ->add_option("--classes", options->classes_path,
+                     "Evaluate the models that this .cla names, with its classes "
+                     "(default: all models, with the classes of the index)")
+        ->type_name("FILE");
+    options->ranking.add_to(*command, RankingOptions::Count::kSeveral, true);
+    command
+        ->add_option("--matrix", options->matrix_path,
+                     "Write the distances as little-endian float32, rows in the order of the .cla")
+        ->type_name("OUT");
+    command
+        ->add_option("--out", options->report_folder,
+                     "Write a report (HTML, CSV, SVG) into this folder")
+        ->type_name("DIR");
+    set_body(*command, session, [options, &session] { return run(*options, session); });
+}
+
+}  // namespace ossuary::cli

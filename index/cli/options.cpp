@@ -1,0 +1,115 @@
+#include "index/cli/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+#include "engine/skeleton/thinning.h"
+
+namespace ossuary::cli {
+namespace {
+
+std::optional<index::ModelId> parse_id(std::string_view text) {
+    index::ModelId id = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return id;
+}
+
+Result<std::vector<index::ModelSummary>> only(Result<index::ModelSummary> model) {
+    if (!model.ok()) return model.error();
+    return std::vector{*std::move(model)};
+}
+
+}  // namespace
+
+void PipelineOptions::add_to(CLI::App& command) {
+    resolution_option =
+        command.add_option("--resolution", resolution, "Voxels along the longest side of a model")
+            ->check(CLI::Range(8, 1024))
+            ->capture_default_str();
+    thinning_option = command
+                          .add_option("--thinning", thinning,
+                                      "Thinning method: anchored (ours) or parallel (the thesis')")
+                          ->check(CLI::IsMember({"anchored", "parallel"}))
+                          ->capture_default_str();
+}
+
+Result<index::IndexParameters> PipelineOptions::parameters(
+    const index::IndexParameters& defaults) const {
+    index::IndexParameters parameters = defaults;
+    if (resolution_option->count() > 0) parameters.resolution = resolution;
+    if (thinning_option->count() > 0) {
+        const Result<ThinningMethod> method = parse_thinning_method(thinning);
+        if (!method.ok()) return method.error();
+        parameters.thinning = *method;
+    }
+    return parameters;
+}
+
+void RankingOptions::add_to(CLI::App& command, Count count, bool with_rerank) {
+    CLI::Option* ranker = command.add_option("--ranker", rankers, "hybrid, skeleton or chain-code")
+                              ->check(CLI::IsMember({"hybrid", "skeleton", "chain-code"}))
+                              ->capture_default_str();
+    if (count == Count::kOne) {
+        ranker->expected(1);
+    } else {
+        ranker->expected(1, 3)->delimiter(',');
+    }
+    command
+        .add_option("--pose", pose,
+                    "Weight of pose against build: 0 = build only, 1 = pose decides among equals")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    if (with_rerank) {
+        command.add_flag("--rerank", rerank, "Re-rank by the neighbourhoods within the collection");
+    }
+}
+
+Result<std::vector<RankOptions>> RankingOptions::rank_options(int jobs) const {
+    std::vector<RankOptions> all;
+    for (const std::string& name : rankers) {
+        const Result<RankerKind> ranker = parse_ranker(name);
+        if (!ranker.ok()) return ranker.error();
+        RankOptions options;
+        options.ranker = *ranker;
+        options.pose = pose;
+        options.rerank = rerank;
+        options.jobs = jobs;
+        all.push_back(options);
+    }
+    return all;
+}
+
+void add_index_option(CLI::App& command, std::string& index_path) {
+    command.add_option("--index", index_path, "The index file")->required()->type_name("FILE");
+}
+
+Result<std::vector<index::ModelSummary>> find_models(index::Store& store, const std::string& text) {
+    if (text.starts_with('#')) {
+        const auto id = parse_id(std::string_view(text).substr(1));
+        if (!id) return {ErrorCode::kModelNotFound, fmt::format("'{}' is no model id", text)};
+        return only(store.model(*id));
+    }
+    Result<std::vector<index::ModelSummary>> named = store.models_named(text);
+    if (!named.ok() || !named->empty()) return named;
+    if (const auto id = parse_id(text)) return only(store.model(*id));
+    return {ErrorCode::kModelNotFound, fmt::format("no model is named '{}'", text)};
+}
+
+Result<index::ModelSummary> find_model(index::Store& store, const std::string& text) {
+    Result<std::vector<index::ModelSummary>> models = find_models(store, text);
+    if (!models.ok()) return models.error();
+    if (models->size() > 1) {
+        std::string ids;
+        for (const auto& model : *models) ids += fmt::format(" '#{}'", model.id);
+        return {ErrorCode::kInvalidArgument,
+                fmt::format("{} models are named '{}': name one by its id:{}", models->size(), text,
+                            ids)};
+    }
+    return models->front();
+}
+
+}  // namespace ossuary::cli

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/ranking/ranker.h"
+#include "index/model.h"
+#include "index/store.h"
+
+namespace ossuary::cli {
+
+/// --resolution and --thinning: how a model becomes a skeleton.
+struct PipelineOptions {
+    int resolution = index::IndexParameters{}.resolution;
+    std::string thinning = "anchored";
+    CLI::Option* resolution_option = nullptr;
+    CLI::Option* thinning_option = nullptr;
+
+    void add_to(CLI::App& command);
+    /// `defaults` with what the user named replaced.
+    [[nodiscard]] Result<index::IndexParameters> parameters(
+        const index::IndexParameters& defaults = {}) const;
+};
+
+/// --ranker, --pose and --rerank.
+struct RankingOptions {
+    std::vector<std::string> rankers = {"hybrid"};
+    double pose = RankOptions{}.pose;
+    bool rerank = false;
+
+    enum class Count { kOne, kSeveral };
+    void add_to(CLI::App& command, Count count, bool with_rerank);
+    /// One set of options for each ranker named.
+    [[nodiscard]] Result<std::vector<RankOptions>> rank_options(int jobs) const;
+};
+
+/// Adds the required option --index.
+void add_index_option(CLI::App& command, std::string& index_path);
+
+/// The models that `text` names: `#7` is the id 7; anything else is a name, and if no model has it
+/// and it is a number, an id. Errors: model_not_found.
+Result<std::vector<index::ModelSummary>> find_models(index::Store& store, const std::string& text);
+
+/// Like find_models, for commands that mean exactly one. Errors: also invalid_argument when several
+/// models have the name; the message lists their ids.
+Result<index::ModelSummary> find_model(index::Store& store, const std::string& text);
+
+}  // namespace ossuary::cli

@@ -1,0 +1,68 @@
+#include "index/cli/progress.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "index/cli/console.h"
+
+namespace ossuary::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::string progress_line(const index::IndexProgress& progress) {
+    const double share = progress.total == 0 ? 1.0
+                                             : static_cast<double>(progress.done) /
+                                                   static_cast<double>(progress.total);
+    std::string line =
+        fmt::format("{:3.0f} %  {} of {}", 100.0 * share, progress.done, progress.total);
+    if (progress.models_per_second > 0.0) {
+        line += fmt::format("  {:.1f} models/s", progress.models_per_second);
+    }
+    if (progress.done < progress.total && progress.eta_seconds > 0.0) {
+        line += fmt::format("  {} left", duration_text(progress.eta_seconds));
+    }
+    if (progress.unchanged > 0) line += fmt::format("  {} unchanged", progress.unchanged);
+    if (progress.failed > 0) line += fmt::format("  {} failed", progress.failed);
+    return line;
+}
+
+}  // namespace
+
+ConsoleProgress::ConsoleProgress() : terminal_(stderr_is_terminal()), last_drawn_(Clock::now()) {}
+
+ConsoleProgress::~ConsoleProgress() { clear_line(); }
+
+void ConsoleProgress::clear_line() {
+    if (line_drawn_) std::cerr << "\r\033[K" << std::flush;
+    line_drawn_ = false;
+}
+
+void ConsoleProgress::progress(const index::IndexProgress& progress) {
+    const auto now = Clock::now();
+    const bool last = progress.done == progress.total;
+    if (terminal_) {
+        if (!last && line_drawn_ && now - last_drawn_ < 100ms) return;
+        std::cerr << "\r\033[K" << progress_line(progress) << std::flush;
+        line_drawn_ = true;
+        last_drawn_ = now;
+    } else if (now - last_drawn_ >= 10s) {
+        std::cerr << progress_line(progress) << '\n';
+        last_drawn_ = now;
+    }
+}
+
+void ConsoleProgress::failed(const index::Failure& failure) {
+    clear_line();
+    std::cerr << fmt::format("{}{}{}: {}\n", style(Style::kWarning), failure.code,
+                             style(Style::kPlain), failure.message);
+}
+
+void ConsoleProgress::phase(std::string_view what) {
+    if (!terminal_) return;
+    std::cerr << "\r\033[K" << what << std::flush;
+    line_drawn_ = true;
+}
+
+}  // namespace ossuary::cli

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "engine/mesh/read_mesh.h"
+#include "index/cli/command.h"
+#include "index/cli/console.h"
+#include "index/cli/options.h"
+#include "index/presentation.h"
+#include "index/searcher.h"
+
+namespace ossuary::cli {
+namespace {
+
+struct Options {
+    std::string index_path;
+    std::string model_path;
+    std::size_t limit = index::SearchOptions{}.limit;
+    std::string class_filter;
+    RankingOptions ranking;
+};
+
+void print_hits(const index::SearchResult& result) {
+    Table table({{"rank", Align::kRight},
+                 {"distance", Align::kRight},
+                 {"name"},
+                 {"class"},
+                 {"matched nodes", Align::kRight},
+                 {"id", Align::kRight}});
+    for (const index::Hit& hit : result.hits) {
+        table.add_row({std::to_string(hit.rank), fmt::format("{:.4f}", hit.distance), hit.name,
+                       hit.class_name.empty() ? "-" : hit.class_name,
+                       std::to_string(hit.matched_nodes), fmt::format("#{}", hit.id)});
+    }
+    std::cout << table.text();
+    std::cerr << fmt::format("{} of {} models in {:.0f} ms\n", result.hits.size(), result.models,
+                             result.took_ms);
+}
+
+Result<ExitCode> run(const Options& options, const Session& session) {
+    const Result<std::vector<RankOptions>> rank = options.ranking.rank_options(session.jobs);
+    if (!rank.ok()) return rank.error();
+    Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
+    if (!searcher.ok()) return searcher.error();
+    // Loading the index is not part of the answer's time; a server does it once.
+    if (const auto snapshot = searcher->snapshot(); !snapshot.ok()) return snapshot.error();
+
+    Stopwatch watch;
+    const Result<ReadMeshResult> query = read_mesh(options.model_path);
+    if (!query.ok()) return query.error();
+    const double read_ms = watch.elapsed_ms();
+
+    index::SearchOptions search;
+    search.rank = rank->front();
+    search.limit = options.limit;
+    search.class_filter = options.class_filter;
+    Result<index::SearchResult> result = searcher->search(query->mesh, search, session.stop);
+    if (!result.ok()) return result.error();
+    result->took_ms += read_ms;
+    result->stages_ms.insert(result->stages_ms.begin(), {"read", read_ms});
+    result->warnings.insert(result->warnings.begin(), query->warnings.begin(),
+                            query->warnings.end());
+
+    if (session.json) {
+        index::QueryDescription description;
+        description.name = std::filesystem::path(options.model_path).stem().string();
+        description.vertices = query->mesh.vertices.size();
+        description.faces = query->mesh.face_count;
+        print_json(index::to_json(*result, description, search.rank));
+    } else {
+        print_hits(*result);
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_search(CLI::App& app, Session& session) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("search", "Find the models of an index that resemble a model file");
+    add_index_option(*command, options->index_path);
+    command->add_option("MODEL", options->model_path, "The query: a model file")->required();
+    command->add_option("--limit", options->limit, "How many hits (0 = all)")
+        ->capture_default_str();
+    command->add_option("--class", options->class_filter, "Only hits of this class");
+    options->ranking.add_to(*command, RankingOptions::Count::kOne, true);
+    set_body(*command, session, [options, &session] { return run(*options, session); });
+}
+
+}  // namespace ossuary::cli

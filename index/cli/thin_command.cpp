@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "engine/skeleton/thinning.h"
+#include "engine/voxel/betti.h"
+#include "engine/voxel/distance_transform.h"
+#include "engine/voxel/npy.h"
+#include "index/cli/command.h"
+#include "index/presentation.h"
+
+namespace ossuary::cli {
+namespace {
+
+struct Options {
+    std::string in;
+    std::string out;
+    std::string method = "anchored";
+};
+
+nlohmann::json to_json(const BettiNumbers& betti) {
+    return {
+        {"components", betti.components}, {"tunnels", betti.tunnels}, {"cavities", betti.cavities}};
+}
+
+Result<ExitCode> run(const Options& options, const Session& session) {
+    ThinningOptions thinning;
+    const Result<ThinningMethod> method = parse_thinning_method(options.method);
+    if (!method.ok()) return method.error();
+    thinning.method = *method;
+    const Result<BitVolume> solid = read_npy(options.in);
+    if (!solid.ok()) return solid.error();
+
+    Stopwatch watch;
+    const DistanceField distance = distance_transform(*solid);
+    const double distance_ms = watch.lap_ms();
+    const BitVolume skeleton = thin(*solid, distance, thinning);
+    const double thin_ms = watch.lap_ms();
+    if (const auto written = write_npy(skeleton, options.out); !written.ok()) {
+        return written.error();
+    }
+
+    const BettiNumbers before = betti_numbers(*solid);
+    const BettiNumbers after = betti_numbers(skeleton);
+    if (session.json) {
+        print_json({{"method", options.method},
+                    {"size", {solid->size().x(), solid->size().y(), solid->size().z()}},
+                    {"voxels_in", solid->count()},
+                    {"voxels_out", skeleton.count()},
+                    {"betti_in", to_json(before)},
+                    {"betti_out", to_json(after)},
+                    {"distance_transform_ms", distance_ms},
+                    {"thin_ms", thin_ms},
+                    {"took_ms", distance_ms + thin_ms}});
+    } else {
+        std::cout << fmt::format(
+            "{} -> {} voxels; {} components, {} tunnels, {} cavities; distance transform {:.1f} "
+            "ms, "
+            "thinning {:.1f} ms\n",
+            solid->count(), skeleton.count(), after.components, after.tunnels, after.cavities,
+            distance_ms, thin_ms);
+    }
+    if (before != after) {
+        return {ErrorCode::kInternal, "thinning has changed the volume's topology"};
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_thin(CLI::App& app, Session& session) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "thin", "Thin a solid volume (uint8 .npy) to its curve skeleton, topology kept");
+    command->add_option("IN", options->in, "3-D .npy, everything but 0 is solid")->required();
+    command->add_option("OUT", options->out, "The skeleton's voxels as .npy")->required();
+    command->add_option("--method", options->method, "anchored (ours) or parallel (the thesis')")
+        ->check(CLI::IsMember({"anchored", "parallel"}))
+        ->capture_default_str();
+    set_body(*command, session, [options, &session] { return run(*options, session); });
+}
+
+}  // namespace ossuary::cli

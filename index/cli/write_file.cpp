@@ -1,0 +1,43 @@
+#include "index/cli/write_file.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace ossuary::cli {
+
+Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) {
+        return {ErrorCode::kFileUnwritable,
+                fmt::format("{}: {}", path.string(), std::strerror(errno))};
+    }
+    return {};
+}
+
+std::string wavefront_lines(const SkeletonGraph& graph) {
+    std::string vertices = "# curve skeleton: one polyline a branch\n";
+    std::string lines;
+    std::size_t next = 1;  // .obj counts from 1
+    for (const auto& node : graph.nodes) {
+        if (node.degree > 0) continue;
+        vertices +=
+            fmt::format("v {} {} {}\n", node.position.x(), node.position.y(), node.position.z());
+        lines += fmt::format("p {}\n", next++);
+    }
+    for (const auto& branch : graph.branches) {
+        lines += "l";
+        for (const Vec3& point : branch.points) {
+            vertices += fmt::format("v {} {} {}\n", point.x(), point.y(), point.z());
+            lines += fmt::format(" {}", next++);
+        }
+        lines += "\n";
+    }
+    return vertices + lines;
+}
+
+}  // namespace ossuary::cli
