@@ -101,4 +101,29 @@ void for_each_voxel(const BitVolume& volume, Visit&& visit) {
     }
 }
 
+/// Calls `visit(begin, end)` for every maximal run [begin, end) of set bits in a row of `size`
+/// bits, or of clear bits when `complement`.
+template <typename Visit>
+void for_each_run(std::span<const std::uint64_t> row, int size, bool complement, Visit&& visit) {
+    const std::uint64_t flip = complement ? ~std::uint64_t{0} : 0;
+    int begin = -1;
+    for (std::size_t w = 0; w < row.size(); ++w) {
+        const int base = static_cast<int>(w * 64);
+        std::uint64_t word = row[w] ^ flip;
+        if (base + 64 > size) word &= (std::uint64_t{1} << (size - base)) - 1;
+        for (int x = 0; x < 64;) {
+            const std::uint64_t rest = (begin < 0 ? word : ~word) >> x;
+            if (rest == 0) break;
+            x += std::countr_zero(rest);
+            if (begin < 0) {
+                begin = base + x;
+            } else {
+                visit(begin, base + x);
+                begin = -1;
+            }
+        }
+    }
+    if (begin >= 0) visit(begin, size);
+}
+
 }  // namespace ossuary

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/voxel/bit_volume.h"
@@ -34,8 +35,9 @@ private:
     std::vector<std::uint32_t> squared_;  ///< x fastest, then y, then z
 };
 
-/// Exact transform by separable lower envelopes of parabolas, linear in the number of voxels
-/// (Felzenszwalb & Huttenlocher, "Distance transforms of sampled functions", 2012, sec. 2).
+/// Exact transform by separable lower envelopes of parabolas (Felzenszwalb & Huttenlocher,
+/// "Distance transforms of sampled functions", 2012, sec. 2), within each run of set voxels: linear
+/// in the number of set voxels, apart from clearing the result.
 DistanceField distance_transform(const BitVolume& volume);
 
 }  // namespace ossuary

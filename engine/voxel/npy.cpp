@@ -1,0 +1,283 @@
+#include "engine/voxel/npy.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace ossuary {
+namespace {
+
+constexpr std::string_view kMagic("\x93NUMPY", 6);
+constexpr std::size_t kMaxHeader = 1u << 16;
+
+struct Header {
+    std::string descr;
+    bool fortran_order = false;
+    std::vector<std::uint64_t> shape;
+};
+
+/// Reads the one dictionary that the format allows: three known keys, each once, in any order.
+class HeaderParser {
+public:
+    explicit HeaderParser(std::string_view text) : rest_(text) {}
+
+    /// The header, or what was wrong with it in `problem()`.
+    std::optional<Header> parse() {
+        Header header;
+        bool has_descr = false, has_order = false, has_shape = false;
+        if (!take('{')) return fail("expected '{'");
+        while (!take('}')) {
+            std::string key;
+            if (!string_literal(key)) return fail("expected a quoted key or '}'");
+            if (!take(':')) return fail("expected ':' after '" + key + "'");
+            bool ok = false;
+            if (key == "descr" && !std::exchange(has_descr, true)) {
+                ok = string_literal(header.descr);
+            } else if (key == "fortran_order" && !std::exchange(has_order, true)) {
+                ok = boolean(header.fortran_order);
+            } else if (key == "shape" && !std::exchange(has_shape, true)) {
+                ok = tuple(header.shape);
+            } else {
+                return fail("unexpected or repeated key '" + key + "'");
+            }
+            if (!ok) return fail("the value of '" + key + "' is not of the expected kind");
+            if (!take(',')) {
+                if (take('}')) break;
+                return fail("expected ',' or '}'");
+            }
+        }
+        skip_space();
+        if (!rest_.empty()) return fail("text after the closing '}'");
+        if (!has_descr || !has_order || !has_shape) {
+            return fail("expected the keys descr, fortran_order and shape");
+        }
+        return header;
+    }
+
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+private:
+    std::optional<Header> fail(std::string problem) {
+        problem_ = std::move(problem);
+        return std::nullopt;
+    }
+    void skip_space() {
+        while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\n')) {
+            rest_.remove_prefix(1);
+        }
+    }
+    bool take(char c) {
+        skip_space();
+        if (rest_.empty() || rest_.front() != c) return false;
+        rest_.remove_prefix(1);
+        return true;
+    }
+    bool string_literal(std::string& out) {
+        skip_space();
+        if (rest_.empty() || (rest_.front() != '\'' && rest_.front() != '"')) return false;
+        const std::size_t end = rest_.find(rest_.front(), 1);
+        if (end == std::string_view::npos) return false;
+        out = rest_.substr(1, end - 1);
+        rest_.remove_prefix(end + 1);
+        return out.find('\\') == std::string::npos;
+    }
+    bool boolean(bool& out) {
+        skip_space();
+        for (const auto& [word, value] : {std::pair<std::string_view, bool>{"True", true},
+                                          std::pair<std::string_view, bool>{"False", false}}) {
+            if (!rest_.starts_with(word)) continue;
+            rest_.remove_prefix(word.size());
+            out = value;
+            return true;
+        }
+        return false;
+    }
+    bool tuple(std::vector<std::uint64_t>& out) {
+        if (!take('(')) return false;
+        while (!take(')')) {
+            std::uint64_t value = 0;
+            if (!number(value) || out.size() == 32) return false;
+            out.push_back(value);
+            if (!take(',')) return take(')');
+        }
+        return true;
+    }
+    bool number(std::uint64_t& out) {
+        skip_space();
+        std::size_t digits = 0;
+        out = 0;
+        while (digits < rest_.size() && rest_[digits] >= '0' && rest_[digits] <= '9') {
+            if (digits == 18) return false;
+            out = out * 10 + static_cast<std::uint64_t>(rest_[digits++] - '0');
+        }
+        rest_.remove_prefix(digits);
+        return digits > 0;
+    }
+
+    std::string_view rest_;
+    std::string problem_;
+};
+
+std::string shape_text(const std::vector<std::uint64_t>& shape) {
+    std::string text = "(";
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+        text += (i > 0 ? ", " : "") + std::to_string(shape[i]);
+    }
+    return text + ")";
+}
+
+/// The header's text; what follows it is left in `bytes`.
+Result<std::string_view> split_header(std::string_view& bytes, const std::string& where) {
+    const auto invalid = [&](const std::string& what) {
+        return Error{ErrorCode::kNpyInvalid, where + what};
+    };
+    if (!bytes.starts_with(kMagic)) return invalid("expected the magic \\x93NUMPY at the start");
+    if (bytes.size() < 8) return invalid("the file ends within the version");
+    const auto byte = [&](std::size_t i) {
+        return static_cast<std::size_t>(static_cast<unsigned char>(bytes[i]));
+    };
+    const std::size_t major = byte(6);
+    if (major < 1 || major > 3 || byte(7) != 0) {
+        return invalid("found version " + std::to_string(major) + "." + std::to_string(byte(7)) +
+                       ", expected 1.0, 2.0 or 3.0");
+    }
+    const std::size_t length_bytes = major == 1 ? 2 : 4;
+    if (bytes.size() < 8 + length_bytes) return invalid("the file ends within the header's length");
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < length_bytes; ++i) length |= byte(8 + i) << (8 * i);
+    if (length > kMaxHeader) {
+        return invalid("found a header of " + std::to_string(length) + " bytes, expected at most " +
+                       std::to_string(kMaxHeader));
+    }
+    const std::size_t start = 8 + length_bytes;
+    if (bytes.size() - start < length) return invalid("the file ends within the header");
+    const std::string_view text = bytes.substr(start, length);
+    bytes.remove_prefix(start + length);
+    return text;
+}
+
+}  // namespace
+
+Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
+                            const NpyOptions& options) {
+    const std::string where = std::string(name) + ": ";
+    auto text = split_header(bytes, where);
+    if (!text) return text.error();
+    HeaderParser parser(*text);
+    const std::optional<Header> header = parser.parse();
+    if (!header) return {ErrorCode::kNpyInvalid, where + "header: " + parser.problem()};
+    static constexpr std::array<std::string_view, 7> kTypes = {"|b1", "|u1", "|i1", "<u1",
+                                                               "<i1", "=u1", "?"};
+    if (std::find(kTypes.begin(), kTypes.end(), header->descr) == kTypes.end()) {
+        return {ErrorCode::kNpyInvalid, where + "found the type '" + header->descr +
+                                            "', expected bool, uint8 or int8 (|b1, |u1, |i1)"};
+    }
+    const auto& shape = header->shape;
+    if (shape.size() != 3 || std::find(shape.begin(), shape.end(), 0u) != shape.end()) {
+        return {ErrorCode::kNpyInvalid, where + "found the shape " + shape_text(shape) +
+                                            ", expected three sides of at least 1"};
+    }
+    std::uint64_t voxels = 1;
+    for (const std::uint64_t side : shape) {
+        if (side > static_cast<std::uint64_t>(options.max_side) ||
+            voxels > options.max_voxels / side) {
+            return {ErrorCode::kVolumeTooLarge,
+                    where + "found the shape " + shape_text(shape) + ", expected at most " +
+                        std::to_string(options.max_side) + " a side and " +
+                        std::to_string(options.max_voxels) + " voxels"};
+        }
+        voxels *= side;
+    }
+    if (bytes.size() != voxels) {
+        return {ErrorCode::kNpyInvalid, where + "found " + std::to_string(bytes.size()) +
+                                            " bytes of values, expected " + std::to_string(voxels) +
+                                            " for the shape " + shape_text(shape)};
+    }
+    const Vec3i size(static_cast<int>(shape[0]), static_cast<int>(shape[1]),
+                     static_cast<int>(shape[2]));
+    BitVolume volume(size);
+    std::size_t i = 0;
+    if (header->fortran_order) {
+        for (int z = 0; z < size.z(); ++z) {
+            for (int y = 0; y < size.y(); ++y) {
+                for (int x = 0; x < size.x(); ++x) {
+                    if (bytes[i++] != 0) volume.set(x, y, z);
+                }
+            }
+        }
+    } else {
+        for (int x = 0; x < size.x(); ++x) {
+            for (int y = 0; y < size.y(); ++y) {
+                for (int z = 0; z < size.z(); ++z) {
+                    if (bytes[i++] != 0) volume.set(x, y, z);
+                }
+            }
+        }
+    }
+    return volume;
+}
+
+Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& options) {
+    std::error_code problem;
+    if (!std::filesystem::exists(path, problem)) {
+        return {ErrorCode::kFileNotFound, path.string() + ": no such file"};
+    }
+    const std::uintmax_t size = std::filesystem::file_size(path, problem);
+    std::ifstream file(path, std::ios::binary);
+    if (problem || !file) {
+        return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read as a file"};
+    }
+    if (size > options.max_voxels + kMaxHeader + 12) {
+        return {ErrorCode::kVolumeTooLarge,
+                path.string() + ": found " + std::to_string(size) + " bytes, expected at most " +
+                    std::to_string(options.max_voxels) + " voxels of one byte"};
+    }
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+        return {ErrorCode::kFileUnreadable, path.string() + ": reading failed"};
+    }
+    return parse_npy(bytes, path.string(), options);
+}
+
+std::string format_npy(const BitVolume& volume) {
+    const Vec3i size = volume.size();
+    std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (" +
+                         std::to_string(size.x()) + ", " + std::to_string(size.y()) + ", " +
+                         std::to_string(size.z()) + "), }";
+    // The values start at a multiple of 64 bytes, after a newline.
+    const std::size_t prefix = kMagic.size() + 4;
+    header.append(63 - (prefix + header.size()) % 64, ' ');
+    header.push_back('\n');
+    std::string bytes(kMagic);
+    bytes += {'\x01', '\x00', static_cast<char>(header.size() & 0xff),
+              static_cast<char>(header.size() >> 8)};
+    bytes += header;
+    const std::size_t start = bytes.size();
+    bytes.resize(start + volume.voxel_count(), '\0');
+    const auto ny = static_cast<std::size_t>(size.y());
+    const auto nz = static_cast<std::size_t>(size.z());
+    for_each_voxel(volume, [&](const Vec3i& v) {
+        bytes[start +
+              (static_cast<std::size_t>(v.x()) * ny + static_cast<std::size_t>(v.y())) * nz +
+              static_cast<std::size_t>(v.z())] = 1;
+    });
+    return bytes;
+}
+
+Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& path) {
+    const std::string bytes = format_npy(volume);
+    std::ofstream file(path, std::ios::binary | std::ios::trunc);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
+    return {};
+}
+
+}  // namespace ossuary

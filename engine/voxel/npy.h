@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/core/result.h"
+#include "engine/voxel/bit_volume.h"
+
+namespace ossuary {
+
+struct NpyOptions {
+    std::uint64_t max_voxels = std::uint64_t{1} << 30;  ///< 1024³
+    std::int64_t max_side = 4096;
+};
+
+/// Reads a three-dimensional array of NumPy's .npy format (versions 1.0, 2.0, 3.0), C or Fortran
+/// order, of type bool or (u)int8: every value but 0 is a set voxel. Array axis 0 is x, axis 1 is
+/// y, axis 2 is z: array[x, y, z].
+/// Errors: npy_invalid (what was found and what was expected), volume_too_large; read_npy also
+/// file_not_found, file_unreadable.
+Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
+                            const NpyOptions& options = {});
+Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& options = {});
+
+/// The volume as version 1.0, uint8 (0 and 1), C order, array[x, y, z].
+[[nodiscard]] std::string format_npy(const BitVolume& volume);
+/// Errors: file_unwritable.
+Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& path);
+
+}  // namespace ossuary
