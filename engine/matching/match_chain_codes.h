@@ -30,11 +30,12 @@ private:
     std::unique_ptr<Buffers> buffers_;
 };
 
-/// The thesis' measure (sec. 3.3): junctions matched greedily and depth first by their topological
-/// signature vectors and significance, end points by subtree edit distance, then the stretch/twist
-/// distance (eq. 3.6) over matched branches, 1 for each branch without a partner, and the mean.
+/// The thesis' measure (sec. 3.3): non-terminal nodes matched greedily and depth first by their
+/// topological signature vectors and significance, end points below matched nodes by subtree edit
+/// distance, then the stretch/twist distance (eq. 3.6) over the branches whose ends are matched,
+/// 1 for each branch without a partner, and the mean.
 /// Zero for equal skeletons, symmetric bit by bit, in [0, 1] (with `sum`: up to the number of
-/// branches).
+/// branches of both).
 [[nodiscard]] Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                                       const ChainCodeMatchOptions& options = {});
 

@@ -5,31 +5,34 @@
 #include <vector>
 
 #include "engine/chain_code/direction_code.h"
+#include "engine/matching/tree_shape.h"
 
 namespace ossuary {
 
+struct SkeletonDescriptor;
+
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFFU;
 
-/// A skeleton hung up at one node as a tree whose cycles are cut. A tree node stands for the piece
-/// of branch that leads to it from its parent.
+/// A skeleton hung up at one node as a tree whose cycles are cut at the point as far from the root
+/// one way as the other. A tree node stands for the piece of branch that leads to it from its
+/// parent.
 struct RootedTree {
     struct Node {
-        std::uint32_t piece = kNoIndex;       ///< into RootedSkeletons::pieces; none at the root
+        std::uint32_t piece =
+            kNoIndex;  ///< into RootedSkeletons::pieces; none at a component's root
         std::uint32_t graph_node = kNoIndex;  ///< none where a cycle was cut
         std::uint32_t parent = kNoIndex;      ///< none at the root
-        std::uint32_t first_child = 0;        ///< into `children`
-        std::uint32_t child_count = 0;
-        float weight = 0.0F;         ///< the piece's length over the scale; the root's blob weight
+        float weight = 0.0F;         ///< the piece's length over the scale; a root's blob weight
         float root_distance = 0.0F;  ///< from the root to the piece's beginning, over the scale
+        float radius = 0.0F;         ///< at the node, over the scale; 0 where a cycle was cut
     };
-    std::vector<Node> nodes;              ///< children before parents; the root is the last
-    std::vector<std::uint32_t> children;  ///< indices into `nodes`
-    float root_radius = 0.0F;             ///< over the scale
-    float total_weight = 0.0F;            ///< of all nodes
+    std::vector<Node> nodes;    ///< children before parents; the root is the last
+    TreeShape shape;            ///< of `nodes`
+    float total_weight = 0.0F;  ///< of all nodes
 };
 
 /// The trees from each candidate root. Their pieces of branch are shared: the same branch walked
-/// the same way has one piece.
+/// the same way is one piece.
 struct RootedSkeletons {
     struct Piece {
         std::uint32_t branch = 0;
@@ -40,7 +43,7 @@ struct RootedSkeletons {
     std::vector<DirectionStep> steps;  ///< direction codes of all pieces, away from the root
     std::vector<Piece> pieces;
     std::vector<RootedTree> trees;  ///< best root first; empty only for an empty skeleton
-    std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of the arguments
+    std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of two skeletons
 
     [[nodiscard]] std::span<const DirectionStep> code(std::uint32_t piece) const {
         const Piece& p = pieces[piece];
@@ -50,8 +53,15 @@ struct RootedSkeletons {
 
 struct RootingOptions {
     int candidate_roots = 2;        ///< trees to make, from the most central roots
-    double centrality_power = 1.0;  ///< weight of a point of the skeleton is radius to this power
-    double root_blob_weight = 0.0;  ///< a root's own weight, as a multiple of its radius
+    double centrality_power = 1.0;  ///< a point of the skeleton counts as its radius to this power
+    double root_blob_weight = 0.3;  ///< a root's own weight, as a multiple of its radius
+    int max_pieces = 96;            ///< of a tree; beyond that the shortest leaves are left out
 };
+
+/// Hangs a skeleton up at its candidate roots: the junctions (of a curve the ends, of a ring its
+/// nodes) with the smallest radius-weighted sum of geodesic distances to the whole skeleton. Of
+/// several components the heaviest gives the root and the others' roots become its children.
+[[nodiscard]] RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor,
+                                            const RootingOptions& options = {});
 
 }  // namespace ossuary

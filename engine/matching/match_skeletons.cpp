@@ -1,0 +1,248 @@
+#include "engine/matching/match_skeletons.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "engine/matching/node_clusters.h"
+#include "engine/matching/tree_edit.h"
+
+namespace ossuary {
+namespace {
+
+AlignmentOptions alignment_options(const SkeletonMatchOptions& options) {
+    return {options.pose, options.radius_weight, options.radius_gain, options.gap};
+}
+
+float relative_difference(float x, float y) {
+    const float sum = x + y;
+    return sum > 0.0F ? std::abs(x - y) / sum : 0.0F;
+}
+
+/// The two skeletons in a fixed order, so that the distance is symmetric bit by bit.
+struct Ordered {
+    const RootedSkeletons& a;
+    const RootedSkeletons& b;
+    bool swapped;
+};
+
+Ordered in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
+    if (a.rooted.content_key <= b.rooted.content_key) return {a.rooted, b.rooted, false};
+    return {b.rooted, a.rooted, true};
+}
+
+/// The shares of exchanging two pieces of branch, each already weighted.
+struct ExchangeCost {
+    float code = 0.0F;
+    float length = 0.0F;
+    float root_distance = 0.0F;
+    [[nodiscard]] float sum() const { return code + length + root_distance; }
+};
+
+}  // namespace
+
+struct SkeletonMatchWorkspace::Buffers {
+    std::optional<AlignmentCosts> costs;
+    std::vector<float> code_cost;  // of two pieces; negative = not yet known
+    std::vector<float> exchange;
+    std::vector<float> remove_a, remove_b;
+    TreeEdit edit;
+};
+
+SkeletonMatchWorkspace::SkeletonMatchWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+SkeletonMatchWorkspace::~SkeletonMatchWorkspace() = default;
+SkeletonMatchWorkspace::SkeletonMatchWorkspace(SkeletonMatchWorkspace&&) noexcept = default;
+SkeletonMatchWorkspace& SkeletonMatchWorkspace::operator=(SkeletonMatchWorkspace&&) noexcept =
+    default;
+
+namespace {
+
+using Buffers = SkeletonMatchWorkspace::Buffers;
+
+/// One comparison: two skeletons, the options, and the buffers it works in.
+class Comparison {
+public:
+    Comparison(const Ordered& pair, const SkeletonMatchOptions& options, Buffers& buffers)
+        : a_(pair.a), b_(pair.b), options_(options), buffers_(buffers) {
+        const AlignmentOptions wanted = alignment_options(options);
+        if (!buffers.costs || !(buffers.costs->options() == wanted)) buffers.costs.emplace(wanted);
+        buffers.code_cost.assign(a_.pieces.size() * b_.pieces.size(), -1.0F);
+    }
+
+    struct Best {
+        float distance = 0.0F;
+        std::size_t tree_a = 0;
+        std::size_t tree_b = 0;
+    };
+
+    /// The cheapest pairing of roots.
+    Best best() {
+        assert(!a_.trees.empty() && !b_.trees.empty());
+        Best best;
+        bool first = true;
+        for (std::size_t i = 0; i < a_.trees.size(); ++i) {
+            for (std::size_t j = 0; j < b_.trees.size(); ++j) {
+                const float distance = compare(a_.trees[i], b_.trees[j]);
+                if (first || distance < best.distance) best = {distance, i, j};
+                first = false;
+            }
+        }
+        return best;
+    }
+
+    /// Edit distance of two trees over their total weight.
+    float compare(const RootedTree& a, const RootedTree& b) {
+        const float weight = a.total_weight + b.total_weight;
+        if (weight <= 0.0F) return 0.0F;
+        return buffers_.edit.distance(problem(a, b)) / weight;
+    }
+
+    /// The pairs that the last `compare` exchanged.
+    void exchanged(const RootedTree& a, const RootedTree& b, std::vector<TreeEdit::Pair>& pairs) {
+        const TreeEditProblem same{a.shape, b.shape, buffers_.remove_a, buffers_.remove_b,
+                                   buffers_.exchange};
+        buffers_.edit.exchanged(same, pairs);
+    }
+
+    /// Per unit of weight; nothing where removing both is no dearer.
+    std::optional<ExchangeCost> exchange_cost(const RootedTree::Node& a,
+                                              const RootedTree::Node& b) {
+        const bool a_is_root = a.piece == kNoIndex;
+        if (a_is_root != (b.piece == kNoIndex)) return std::nullopt;
+        ExchangeCost cost;
+        if (a_is_root) {
+            const auto gain = static_cast<float>(options_.radius_gain);
+            cost.code = static_cast<float>(options_.radius_weight) *
+                        std::min(1.0F, gain * relative_difference(a.radius, b.radius));
+        } else {
+            cost.length = static_cast<float>(options_.length_weight) *
+                          relative_difference(a_.pieces[a.piece].length, b_.pieces[b.piece].length);
+            cost.root_distance = static_cast<float>(options_.root_distance_weight) *
+                                 relative_difference(a.root_distance, b.root_distance);
+            cost.code = code_cost(a.piece, b.piece);
+        }
+        if (cost.sum() >= static_cast<float>(options_.deletion)) return std::nullopt;
+        return cost;
+    }
+
+private:
+    TreeEditProblem problem(const RootedTree& a, const RootedTree& b) {
+        const auto deletion = static_cast<float>(options_.deletion);
+        buffers_.remove_a.clear();
+        buffers_.remove_b.clear();
+        buffers_.exchange.clear();
+        for (const auto& node : a.nodes) buffers_.remove_a.push_back(deletion * node.weight);
+        for (const auto& node : b.nodes) buffers_.remove_b.push_back(deletion * node.weight);
+        for (const auto& from : a.nodes) {
+            for (const auto& to : b.nodes) {
+                const std::optional<ExchangeCost> cost = exchange_cost(from, to);
+                const float rate = cost ? cost->sum() : deletion;
+                buffers_.exchange.push_back(rate * (from.weight + to.weight));
+            }
+        }
+        return {a.shape, b.shape, buffers_.remove_a, buffers_.remove_b, buffers_.exchange};
+    }
+
+    float code_cost(std::uint32_t piece_a, std::uint32_t piece_b) {
+        float& known = buffers_.code_cost[piece_a * b_.pieces.size() + piece_b];
+        if (known < 0.0F) {
+            known = alignment_cost(a_.code(piece_a), b_.code(piece_b), *buffers_.costs);
+        }
+        return known;
+    }
+
+    const RootedSkeletons& a_;
+    const RootedSkeletons& b_;
+    const SkeletonMatchOptions& options_;
+    Buffers& buffers_;
+};
+
+/// Nothing against nothing is alike; nothing against something takes removing all of it.
+std::optional<double> distance_of_empty(const Ordered& pair, const SkeletonMatchOptions& options) {
+    if (!pair.a.trees.empty() && !pair.b.trees.empty()) return std::nullopt;
+    return pair.a.trees.empty() && pair.b.trees.empty() ? 0.0 : options.deletion;
+}
+
+void add_unique(std::vector<Correspondence::Pair>& pairs, const Correspondence::Pair& pair) {
+    const auto same = [&](const Correspondence::Pair& other) {
+        return other.a == pair.a && other.b == pair.b;
+    };
+    if (std::none_of(pairs.begin(), pairs.end(), same)) pairs.push_back(pair);
+}
+
+Match explain(Comparison& comparison, const RootedSkeletons& sa, const RootedSkeletons& sb,
+              const Comparison::Best& best) {
+    const RootedTree& a = sa.trees[best.tree_a];
+    const RootedTree& b = sb.trees[best.tree_b];
+    // The buffers hold the last pairing of roots; explaining needs the best.
+    Match match;
+    match.distance = static_cast<double>(comparison.compare(a, b));
+    std::vector<TreeEdit::Pair> pairs;
+    comparison.exchanged(a, b, pairs);
+    std::sort(pairs.begin(), pairs.end(), std::greater<>());
+
+    double code = 0.0, length = 0.0, root_distance = 0.0;
+    NodeClusters clusters(a.nodes.size());
+    std::vector<std::uint32_t> partner(a.nodes.size(), kNoIndex);
+    for (const auto& [i, j] : pairs) {
+        const RootedTree::Node& from = a.nodes[i];
+        const RootedTree::Node& to = b.nodes[j];
+        const std::optional<ExchangeCost> cost = comparison.exchange_cost(from, to);
+        if (!cost) continue;
+        const double weight = static_cast<double>(from.weight) + to.weight;
+        code += weight * cost->code;
+        length += weight * cost->length;
+        root_distance += weight * cost->root_distance;
+        const auto rate = static_cast<double>(cost->sum());
+        if (from.piece != kNoIndex) {
+            add_unique(match.correspondence.branches,
+                       {sa.pieces[from.piece].branch, sb.pieces[to.piece].branch, rate});
+        }
+        if (from.graph_node == kNoIndex || to.graph_node == kNoIndex) continue;
+        match.correspondence.nodes.push_back({from.graph_node, to.graph_node, rate});
+        clusters.add(i);
+        partner[i] = j;
+        // Parents come first in `pairs`.
+        if (from.piece != kNoIndex && partner[from.parent] == to.parent) {
+            clusters.join(i, from.parent);
+        }
+    }
+    match.correspondence.cluster_sizes = clusters.sizes();
+    const double total = static_cast<double>(a.total_weight) + b.total_weight;
+    const double scale = total > 0.0 ? 1.0 / total : 0.0;
+    match.parts = {{"code", code * scale},
+                   {"length", length * scale},
+                   {"root_distance", root_distance * scale}};
+    const double explained = (code + length + root_distance) * scale;
+    match.parts.push_back({"unmatched", std::max(0.0, match.distance - explained)});
+    return match;
+}
+
+}  // namespace
+
+double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
+                         const SkeletonMatchOptions& options, SkeletonMatchWorkspace& workspace) {
+    const Ordered pair = in_order(a, b);
+    if (const auto distance = distance_of_empty(pair, options)) return *distance;
+    return static_cast<double>(Comparison(pair, options, workspace.buffers()).best().distance);
+}
+
+Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
+                      const SkeletonMatchOptions& options) {
+    const Ordered pair = in_order(a, b);
+    if (const auto distance = distance_of_empty(pair, options)) {
+        return {*distance, {{"unmatched", *distance}}, {}};
+    }
+    SkeletonMatchWorkspace workspace;
+    Comparison comparison(pair, options, workspace.buffers());
+    Match match = explain(comparison, pair.a, pair.b, comparison.best());
+    if (pair.swapped) {
+        for (auto* pairs : {&match.correspondence.nodes, &match.correspondence.branches}) {
+            for (Correspondence::Pair& p : *pairs) std::swap(p.a, p.b);
+        }
+    }
+    return match;
+}
+
+}  // namespace ossuary

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/matching/assignment.h"
+#include "engine/matching/tree_shape.h"
+
+namespace ossuary {
+
+/// Two trees with the costs of editing one into the other. Costs are finite and not negative;
+/// exchange(i, j) = exchange[i * b.size() + j] should not exceed remove_a[i] + remove_b[j].
+struct TreeEditProblem {
+    const TreeShape& a;
+    const TreeShape& b;
+    std::span<const float> remove_a;
+    std::span<const float> remove_b;
+    std::span<const float> exchange;
+};
+
+/// The constrained edit distance between unordered labelled trees (Zhang, Algorithmica 15, 1996):
+/// nodes are exchanged, removed or inserted; the nodes exchanged keep their ancestors, and disjoint
+/// subtrees go to disjoint subtrees. Keeps its buffers between calls.
+class TreeEdit {
+public:
+    using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+    /// The least cost; 0 for two equal trees, exactly. An empty tree costs the other's removal.
+    float distance(const TreeEditProblem& problem);
+
+    /// The nodes exchanged in the last `distance` of the same problem, the roots' end first.
+    void exchanged(const TreeEditProblem& problem, std::vector<Pair>& pairs);
+
+    /// The distance of two subtrees in the last problem.
+    [[nodiscard]] float subtree_distance(std::size_t i, std::size_t j) const {
+        return tree_[i * columns_ + j];
+    }
+
+private:
+    /// How the cheapest edit of a pair of (sub)trees or forests begins.
+    struct Choice {
+        enum Kind : std::uint8_t { kInto, kOutOf, kAcross } kind = kAcross;
+        std::uint32_t child = 0;  // of j for kInto, of i for kOutOf
+    };
+    float tree_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
+                    Choice& choice) const;
+    float forest_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j, Choice& choice);
+    /// Cheapest pairing of the children; appends the pairs where `pairs` is given.
+    float pair_children(const TreeEditProblem& problem, std::size_t i, std::size_t j,
+                        std::vector<Pair>* pairs);
+    void sum_removals(const TreeShape& tree, std::span<const float> remove,
+                      std::vector<float>& whole, std::vector<float>& below) const;
+
+    std::size_t columns_ = 0;
+    std::vector<float> whole_a_, below_a_;  // cost of removing a subtree, the forest below a node
+    std::vector<float> whole_b_, below_b_;
+    std::vector<float> tree_, forest_;
+    std::vector<float> gain_;
+    std::vector<char> taken_;
+    Assignment assignment_;
+};
+
+}  // namespace ossuary
