@@ -1,0 +1,25 @@
+#pragma once
+
+#include "engine/skeleton/thinning.h"
+#include "engine/skeleton/thinning_grid.h"
+
+namespace ossuary {
+
+/// What anchored thinning must not delete.
+struct Anchors {
+    ThinningGrid voxels;         ///< for each component of the solid a tree of centred paths
+    std::size_t components = 0;  ///< of the solid
+    int tips = 0;                ///< ends of paths besides the centres
+    /// Each voxel was a simple point of the set when it was added: the set is then a deformation of
+    /// one point for each component, so that it has no tunnel and no cavity.
+    bool contractible = true;
+};
+
+/// Finds the tips of a solid and joins them to its centres. In each component the centre is the
+/// deepest voxel; paths follow the shortest way to it with step cost length / r^2. Tips are taken
+/// while some voxel x has min over path voxels t of geodesic(x, t) - radius_factor * r(t) above
+/// coverage_voxels: the farthest first, at most max_tips in all.
+Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
+                     const ThinningOptions& options);
+
+}  // namespace ossuary

@@ -1,0 +1,47 @@
+#include "engine/skeleton/component_centres.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/voxel/components.h"
+
+namespace ossuary {
+
+std::vector<ComponentCentre> component_centres(const BitVolume& solid,
+                                               const DistanceField& distance) {
+    const Components components = label_components(solid, Connectivity::kVertices);
+    std::vector<ComponentCentre> centres(components.count());
+    // Sums of whole numbers: exact, so the same in any order of summation.
+    std::vector<Vec3> gravity(components.count(), Vec3::Zero());
+    const auto squared_row = [&](const VoxelRun& run) {
+        return distance.values().data() + distance.index({0, run.y, run.z});
+    };
+    for (const VoxelRun& run : components.runs) {
+        ComponentCentre& centre = centres[run.component];
+        const std::uint32_t* row = squared_row(run);
+        const std::uint32_t deepest = *std::max_element(row + run.begin, row + run.end);
+        centre.squared_radius = std::max(centre.squared_radius, deepest);
+        const double length = run.end - run.begin;
+        gravity[run.component] += length * Vec3(0.5 * (run.begin + run.end - 1), run.y, run.z);
+    }
+    for (std::size_t i = 0; i < centres.size(); ++i) {
+        gravity[i] /= static_cast<double>(components.voxel_counts[i]);
+    }
+    const PaddedShape shape(solid.size());
+    std::vector<double> nearest(centres.size(), std::numeric_limits<double>::infinity());
+    for (const VoxelRun& run : components.runs) {
+        const std::uint32_t* row = squared_row(run);
+        const std::size_t i = run.component;
+        for (int x = run.begin; x < run.end; ++x) {
+            if (row[x] != centres[i].squared_radius) continue;
+            const double d = (Vec3(x, run.y, run.z) - gravity[i]).squaredNorm();
+            if (d < nearest[i]) {
+                nearest[i] = d;
+                centres[i].voxel = shape.index(x, run.y, run.z);
+            }
+        }
+    }
+    return centres;
+}
+
+}  // namespace ossuary
