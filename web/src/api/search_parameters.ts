@@ -1,0 +1,73 @@
+import { kRankers, type Ranker } from './types';
+
+/** What a search may be asked for; the same names in the page's address and in the request. */
+export interface SearchParameters {
+    ranker: Ranker;
+    /** 0: build alone (lengths, thickness); 1: pose (directions) decides among equals. */
+    pose: number;
+    rerank: boolean;
+    limit: number;
+    /** Empty: all classes. */
+    className: string;
+}
+
+export const kSearchDefaults: Readonly<SearchParameters> = {
+    ranker: 'hybrid',
+    pose: 0.15,
+    rerank: false,
+    limit: 24,
+    className: '',
+};
+
+export const kLimits: readonly number[] = [12, 24, 48, 96];
+
+function isRanker(value: string | null): value is Ranker {
+    return value !== null && (kRankers as readonly string[]).includes(value);
+}
+
+function parsePose(value: string | null): number {
+    const pose = value === null || value.trim() === '' ? Number.NaN : Number(value);
+    return Number.isFinite(pose) ? Math.min(1, Math.max(0, pose)) : kSearchDefaults.pose;
+}
+
+function parseLimit(value: string | null): number {
+    const limit = Number(value);
+    return Number.isInteger(limit) && limit >= 1 && limit <= 1000 ? limit : kSearchDefaults.limit;
+}
+
+/** Everything spelled out: what the request carries. */
+export function encodeSearch(parameters: SearchParameters): URLSearchParams {
+    const query = new URLSearchParams({
+        limit: String(parameters.limit),
+        ranker: parameters.ranker,
+        pose: String(parameters.pose),
+        rerank: String(parameters.rerank),
+    });
+    if (parameters.className !== '') {
+        query.set('class', parameters.className);
+    }
+    return query;
+}
+
+/** Only what differs from the defaults: what the page's address carries. */
+export function encodeSearchBriefly(parameters: SearchParameters): URLSearchParams {
+    const query = encodeSearch(parameters);
+    for (const [name, value] of encodeSearch(kSearchDefaults)) {
+        if (query.get(name) === value) {
+            query.delete(name);
+        }
+    }
+    return query;
+}
+
+/** Takes any address: what is missing or makes no sense becomes the default. */
+export function decodeSearch(query: URLSearchParams): SearchParameters {
+    const ranker = query.get('ranker');
+    return {
+        ranker: isRanker(ranker) ? ranker : kSearchDefaults.ranker,
+        pose: parsePose(query.get('pose')),
+        rerank: query.get('rerank') === 'true',
+        limit: parseLimit(query.get('limit')),
+        className: query.get('class') ?? '',
+    };
+}

@@ -1,0 +1,74 @@
+import type { PreviewMesh, QueryModel } from '../api/types';
+import { element, replace } from '../page/element';
+import { formatCount } from '../page/format';
+
+export interface QueryPanel {
+    node: HTMLElement;
+    /** Shows the query in 3D; null: its skeleton alone. */
+    show(query: QueryModel, mesh: PreviewMesh | null): Promise<void>;
+    dispose(): void;
+}
+
+function facts(query: QueryModel): HTMLElement {
+    const rows: [string, number][] = [
+        ['Vertices', query.vertices],
+        ['Faces', query.faces],
+        ['Branches', query.skeleton.branches.length],
+        ['Nodes', query.skeleton.nodes.length],
+    ];
+    return element(
+        'dl',
+        { class: 'facts' },
+        rows.map(([name, value]) =>
+            element(
+                'div',
+                {},
+                element('dt', {}, name),
+                element('dd', { class: 'number' }, formatCount(value)),
+            ),
+        ),
+    );
+}
+
+function warnings(query: QueryModel): HTMLElement | null {
+    return query.warnings.length === 0
+        ? null
+        : element(
+              'details',
+              { class: 'warnings' },
+              element('summary', {}, `Notes on the mesh (${query.warnings.length})`),
+              element(
+                  'ul',
+                  {},
+                  query.warnings.map((warning) => element('li', {}, warning.message)),
+              ),
+          );
+}
+
+/** The query beside its hits: picture, name, figures. */
+export function queryPanel(): QueryPanel {
+    const picture = element('div', { class: 'query-picture', 'aria-busy': 'true' });
+    const text = element('div', { class: 'query-text' });
+    let pane: { dispose(): void } | null = null;
+    let disposed = false;
+    return {
+        node: element('section', { class: 'query', 'aria-label': 'The query' }, picture, text),
+        async show(query, mesh) {
+            replace(text, facts(query), warnings(query));
+            // three.js is fetched only where something is drawn with it.
+            const { queryView } = await import('../viewer/query_view');
+            if (disposed) {
+                return;
+            }
+            pane?.dispose();
+            const view = queryView(query.name, query.skeleton, mesh);
+            pane = view;
+            replace(picture, view.node);
+            picture.removeAttribute('aria-busy');
+        },
+        dispose() {
+            disposed = true;
+            pane?.dispose();
+        },
+    };
+}

@@ -1,0 +1,208 @@
+import { isAbort } from '../api/problem';
+import type { SearchParameters } from '../api/search_parameters';
+import type { Hit, PreviewMesh, SearchResult } from '../api/types';
+import type { Context, Page } from '../page/context';
+import { element, replace } from '../page/element';
+import { formatPlural } from '../page/format';
+import { emptyNotice, problemNotice } from '../page/problem_notice';
+import { formatRoute, kHome, type Route, resultsOf, sameQuery } from '../page/routes';
+import { type ComparisonDialog, comparisonDialog } from './comparison_dialog';
+import { hitGrid } from './hit_grid';
+import { queryPanel } from './query_panel';
+import { type SearchForm, searchForm } from './search_form';
+import { skeletonCards } from './thumbnail';
+import { timingLine } from './timing_line';
+
+type ResultsRoute = Extract<Route, { page: 'results' }>;
+
+interface Answer {
+    result: SearchResult;
+    mesh: PreviewMesh | null;
+}
+
+function sameParameters(a: SearchParameters, b: SearchParameters): boolean {
+    return (Object.keys(a) as (keyof SearchParameters)[]).every((name) => a[name] === b[name]);
+}
+
+/** Null: the upload is gone, since the page was loaded anew. */
+async function ask(
+    route: ResultsRoute,
+    context: Context,
+    signal: AbortSignal,
+): Promise<Answer | null> {
+    const { query, parameters } = route;
+    if (query.kind === 'model') {
+        const [result, mesh] = await Promise.all([
+            context.client.similar(query.id, parameters, signal),
+            context.client.mesh(query.id, signal),
+        ]);
+        return { result, mesh };
+    }
+    const { upload } = context;
+    if (!upload) {
+        return null;
+    }
+    const result = sameParameters(upload.parameters, parameters)
+        ? upload.result
+        : await context.client.search(upload.file, parameters, signal);
+    context.upload = { file: upload.file, parameters, result };
+    return { result, mesh: result.query.mesh ?? null };
+}
+
+/** What is similar to the query, and on top of it the 3D comparison with one hit. */
+export function resultsPage(first: ResultsRoute, context: Context): Page {
+    let route = first;
+    let answer: Answer | null = null;
+    let dialog: ComparisonDialog | null = null;
+    let running = new AbortController();
+    const title = element('h1', { class: 'results-title' }, 'Searching…');
+    const timing = element('div', {});
+    const body = element('div', { class: 'results-body', 'aria-busy': 'true' });
+    const panel = queryPanel();
+    const makeForm = (parameters: SearchParameters): SearchForm =>
+        searchForm(context.classes, {
+            parameters,
+            onChange: (changed) => context.navigate(resultsOf(route.query, changed)),
+        });
+    let form = makeForm(route.parameters);
+
+    const hrefOf = (hit: Hit): string =>
+        formatRoute(resultsOf(route.query, route.parameters, hit.id));
+    const closeDialog = (): void => {
+        const closed = dialog;
+        dialog = null;
+        closed?.dispose();
+    };
+    const openHit = (): void => {
+        closeDialog();
+        if (!answer || route.hit === null) {
+            return;
+        }
+        const { hits, query } = answer.result;
+        const place = hits.findIndex((hit) => hit.id === route.hit);
+        const hit = hits[place];
+        if (!hit) {
+            context.navigate(resultsOf(route.query, route.parameters));
+            return;
+        }
+        const before = hits[place - 1];
+        const after = hits[place + 1];
+        dialog = comparisonDialog(
+            {
+                query,
+                queryMesh: answer.mesh,
+                hit,
+                previousHref: before ? hrefOf(before) : null,
+                nextHref: after ? hrefOf(after) : null,
+                onClose: () => context.navigate(resultsOf(route.query, route.parameters)),
+            },
+            context.client,
+        );
+        document.body.append(dialog.node);
+        dialog.open();
+    };
+    const show = (found: Answer): void => {
+        answer = found;
+        const { result } = found;
+        replace(title, 'Models like ', element('em', {}, result.query.name));
+        replace(timing, timingLine(result));
+        context.classes.add(result.hits.map((hit) => hit.class));
+        replace(
+            body,
+            result.hits.length > 0
+                ? hitGrid(result.hits, hrefOf)
+                : emptyNotice('No hits.', 'No other model of the collection fits the options.'),
+        );
+        context.announce(`${formatPlural(result.hits.length, 'hit')} for ${result.query.name}`);
+        void panel.show(result.query, found.mesh);
+        openHit();
+    };
+    const load = async (): Promise<void> => {
+        running.abort();
+        running = new AbortController();
+        const { signal } = running;
+        answer = null;
+        replace(body, element('ul', { class: 'grid' }, skeletonCards(12)));
+        body.setAttribute('aria-busy', 'true');
+        try {
+            const found = await ask(route, context, signal);
+            if (found) {
+                show(found);
+                return;
+            }
+            title.textContent = 'No query';
+            replace(
+                body,
+                emptyNotice(
+                    'The uploaded model is gone.',
+                    'It is kept only until the page is loaded anew. ',
+                    element('a', { href: formatRoute(kHome) }, 'Choose a model again'),
+                ),
+            );
+            page.node.classList.add('results-without-query');
+        } catch (error) {
+            if (!isAbort(error)) {
+                title.textContent = 'The search failed';
+                replace(body, problemNotice(error, { retry: () => void load() }));
+            }
+        } finally {
+            if (!signal.aborted) {
+                body.removeAttribute('aria-busy');
+            }
+        }
+    };
+
+    const page: Page = {
+        node: element(
+            'div',
+            { class: 'page results' },
+            element(
+                'aside',
+                { class: 'results-side' },
+                panel.node,
+                element(
+                    'details',
+                    { class: 'options', open: matchMedia('(min-width: 60rem)').matches },
+                    element('summary', {}, 'Search options'),
+                    form.node,
+                ),
+            ),
+            element(
+                'div',
+                { class: 'results-main' },
+                element('div', { class: 'results-head' }, title, timing),
+                body,
+            ),
+        ),
+        title: 'Results',
+        update(next) {
+            if (next.page !== 'results' || !sameQuery(next.query, route.query)) {
+                return false;
+            }
+            const asked = sameParameters(next.parameters, route.parameters);
+            route = next;
+            if (asked) {
+                openHit();
+                return true;
+            }
+            if (!sameParameters(form.parameters, next.parameters)) {
+                // By the browser's way back: the form did not bring the change about.
+                form.dispose();
+                const made = makeForm(next.parameters);
+                form.node.replaceWith(made.node);
+                form = made;
+            }
+            closeDialog();
+            void load();
+            return true;
+        },
+        dispose() {
+            running.abort();
+            closeDialog();
+            panel.dispose();
+            form.dispose();
+        },
+    };
+    void load();
+    return page;
+}

@@ -1,0 +1,147 @@
+import { kLimits, kSearchDefaults, type SearchParameters } from '../api/search_parameters';
+import { kRankers, type Ranker } from '../api/types';
+import { type Child, element } from '../page/element';
+import { capitalise, formatName } from '../page/format';
+import type { KnownClasses } from '../page/known_classes';
+import { classField } from './class_field';
+
+export interface SearchFormOptions {
+    parameters: SearchParameters;
+    /** Called once a choice is made, not for each step of the slider. */
+    onChange: (parameters: SearchParameters) => void;
+}
+
+const kDefaults: SearchFormOptions = { parameters: kSearchDefaults, onChange: () => {} };
+
+export interface SearchForm {
+    node: HTMLElement;
+    readonly parameters: SearchParameters;
+    dispose(): void;
+}
+
+const kRankerHints: Record<Ranker, string> = {
+    hybrid: 'Skeleton and overall shape together',
+    skeleton: 'Skeleton matching alone',
+    'chain-code': 'Chain codes alone',
+};
+
+let forms = 0;
+
+function rankerChoice(name: string, chosen: Ranker): HTMLFieldSetElement {
+    return element(
+        'fieldset',
+        { class: 'field segmented-field' },
+        element('legend', { class: 'field-label' }, 'Ranker'),
+        element(
+            'div',
+            { class: 'segmented' },
+            kRankers.map((ranker) =>
+                element(
+                    'label',
+                    { title: kRankerHints[ranker] },
+                    element('input', {
+                        type: 'radio',
+                        name,
+                        value: ranker,
+                        checked: ranker === chosen,
+                    }),
+                    element('span', {}, capitalise(formatName(ranker))),
+                ),
+            ),
+        ),
+    );
+}
+
+function field(label: string, ...control: Child[]): HTMLElement {
+    return element(
+        'label',
+        { class: 'field' },
+        element('span', { class: 'field-label' }, label),
+        ...control,
+    );
+}
+
+function poseField(pose: HTMLInputElement, value: HTMLOutputElement): HTMLElement {
+    return element(
+        'label',
+        { class: 'field' },
+        element('span', { class: 'field-label' }, 'Build or pose', value),
+        pose,
+        element(
+            'span',
+            { class: 'range-ends', 'aria-hidden': 'true' },
+            element('span', {}, 'how it is built'),
+            element('span', {}, 'how it stands'),
+        ),
+    );
+}
+
+/** How to search: everything but the query itself. */
+export function searchForm(
+    classes: KnownClasses,
+    options: Partial<SearchFormOptions> = {},
+): SearchForm {
+    const { parameters, onChange } = { ...kDefaults, ...options };
+    forms += 1;
+    const rankers = rankerChoice(`ranker-${forms}`, parameters.ranker);
+    const pose = element('input', {
+        type: 'range',
+        min: 0,
+        max: 1,
+        step: 0.05,
+        value: parameters.pose,
+        name: 'pose',
+    });
+    const poseValue = element('output', { class: 'field-value' }, parameters.pose.toFixed(2));
+    const limits = [...new Set([...kLimits, parameters.limit])].sort((a, b) => a - b);
+    const limit = element(
+        'select',
+        { class: 'input', name: 'limit' },
+        limits.map((count) =>
+            element('option', { value: count, selected: count === parameters.limit }, count),
+        ),
+    );
+    const rerank = element('input', {
+        type: 'checkbox',
+        name: 'rerank',
+        checked: parameters.rerank,
+    });
+    const className = classField(parameters.className, classes);
+    const node = element(
+        'form',
+        { class: 'search-form', 'aria-label': 'Search options' },
+        rankers,
+        poseField(pose, poseValue),
+        className.node,
+        field('Hits', limit),
+        element(
+            'label',
+            { class: 'switch' },
+            rerank,
+            element('span', {}, 'Re-rank by what the collection has in common'),
+        ),
+    );
+    const read = (): SearchParameters => ({
+        ranker: (rankers.querySelector<HTMLInputElement>('input:checked')?.value ??
+            parameters.ranker) as Ranker,
+        pose: Number(pose.value),
+        rerank: rerank.checked,
+        limit: Number(limit.value),
+        className: className.input.value.trim(),
+    });
+    pose.addEventListener('input', () => {
+        poseValue.textContent = Number(pose.value).toFixed(2);
+    });
+    node.addEventListener('change', () => onChange(read()));
+    node.addEventListener('submit', (event) => {
+        event.preventDefault();
+        onChange(read());
+    });
+    return {
+        node,
+        get parameters() {
+            return read();
+        },
+        dispose: () => className.dispose(),
+    };
+}

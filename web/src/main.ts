@@ -1,0 +1,12 @@
+import 'uplot/dist/uPlot.min.css';
+import './styles/tokens.css';
+import './styles/base.css';
+import './styles/gallery.css';
+import './styles/viewer.css';
+import './styles/reports.css';
+import { startApp } from './page/app';
+
+const root = document.getElementById('app');
+if (root) {
+    startApp(root);
+}

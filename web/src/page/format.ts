@@ -1,0 +1,59 @@
+const kLocale = 'en';
+const kCount = new Intl.NumberFormat(kLocale);
+
+export function formatCount(count: number): string {
+    return kCount.format(count);
+}
+
+export function formatPlural(count: number, singular: string, plural = `${singular}s`): string {
+    return `${formatCount(count)} ${count === 1 ? singular : plural}`;
+}
+
+/** Three significant places are enough to tell neighbours in a ranked list apart. */
+export function formatDistance(distance: number): string {
+    if (!Number.isFinite(distance)) {
+        return '–';
+    }
+    return distance >= 100 ? distance.toFixed(0) : distance.toFixed(3);
+}
+
+export function formatShare(share: number): string {
+    return Number.isFinite(share) ? share.toFixed(3) : '–';
+}
+
+export function formatDuration(milliseconds: number): string {
+    if (milliseconds >= 10_000) {
+        return `${(milliseconds / 1000).toFixed(0)} s`;
+    }
+    if (milliseconds >= 1000) {
+        return `${(milliseconds / 1000).toFixed(1)} s`;
+    }
+    return milliseconds >= 10 || milliseconds === 0
+        ? `${milliseconds.toFixed(0)} ms`
+        : `${milliseconds.toFixed(1)} ms`;
+}
+
+export function formatBytes(bytes: number): string {
+    if (bytes < 1000) {
+        return `${bytes} B`;
+    }
+    const units = ['kB', 'MB', 'GB'];
+    let value = bytes / 1000;
+    let unit = 0;
+    // 999.5 would be rounded to 1000 of the smaller unit.
+    while (value >= 999.5 && unit < units.length - 1) {
+        value /= 1000;
+        unit += 1;
+    }
+    return `${value >= 99.5 ? value.toFixed(0) : value.toFixed(1)} ${units[unit]}`;
+}
+
+/** `mean_average_precision` → `mean average precision`. */
+export function formatName(identifier: string): string {
+    return identifier.replaceAll('_', ' ').replaceAll('-', ' ').trim();
+}
+
+/** A label with its first letter raised, the rest as it was. */
+export function capitalise(text: string): string {
+    return text === '' ? '' : text.charAt(0).toUpperCase() + text.slice(1);
+}

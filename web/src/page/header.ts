@@ -1,0 +1,62 @@
+import { element, svg } from './element';
+import { formatRoute, kHome, type Route } from './routes';
+
+export interface Header {
+    node: HTMLElement;
+    /** Marks the link of the page that is shown. */
+    show(route: Route): void;
+}
+
+/** A skeleton with its joints: the mark of the project, drawn like favicon.svg. */
+export function logo(): SVGElement {
+    return svg(
+        'svg',
+        { class: 'logo', viewBox: '0 0 32 32', 'aria-hidden': 'true', focusable: 'false' },
+        svg('path', {
+            class: 'logo-line',
+            d: 'M5 26 C6 19 8 15 12.5 14 S20 14.5 22.5 12 M12.5 14 C14 19 14.5 22 14 27 M22.5 12 C24 17 24.5 21 26 26 M22.5 12 C24 8.5 25 7 27 5',
+        }),
+        ...[
+            [12.5, 14, 3.1],
+            [22.5, 12, 3.1],
+            [27, 5, 2.1],
+            [5, 26, 2.1],
+            [14, 27, 2.1],
+            [26, 26, 2.1],
+        ].map(([cx, cy, r]) => svg('circle', { class: 'logo-joint', cx, cy, r })),
+    );
+}
+
+export function header(): Header {
+    const links = [
+        { page: 'home', label: 'Search', href: formatRoute(kHome) },
+        { page: 'reports', label: 'Reports', href: formatRoute({ page: 'reports' }) },
+    ].map(({ page, label, href }) => ({ page, node: element('a', { href }, label) }));
+    const node = element(
+        'header',
+        { class: 'header' },
+        element(
+            'a',
+            { class: 'brand', href: formatRoute(kHome), 'aria-label': 'Ossuary, start page' },
+            logo(),
+            element('span', {}, 'Ossuary'),
+        ),
+        element(
+            'nav',
+            { 'aria-label': 'Pages' },
+            links.map((link) => link.node),
+        ),
+    );
+    return {
+        node,
+        show(route) {
+            for (const link of links) {
+                if (link.page === route.page) {
+                    link.node.setAttribute('aria-current', 'page');
+                } else {
+                    link.node.removeAttribute('aria-current');
+                }
+            }
+        },
+    };
+}

@@ -1,0 +1,40 @@
+import { ApiError } from '../api/problem';
+import { type Child, element } from './element';
+
+export interface NoticeOptions {
+    /** Asked again on a press of "Try again"; none: no such button. */
+    retry: (() => void) | null;
+}
+
+const kDefaults: NoticeOptions = { retry: null };
+
+/** What failed in the words of the problem document, with the code that can be looked up. */
+export function problemNotice(error: unknown, options: Partial<NoticeOptions> = {}): HTMLElement {
+    const { retry } = { ...kDefaults, ...options };
+    const known = error instanceof ApiError;
+    const title = known ? error.title : 'Something went wrong in this page';
+    const detail = error instanceof Error ? error.message : String(error);
+    return element(
+        'div',
+        { class: 'notice notice-problem', role: 'alert' },
+        element(
+            'div',
+            { class: 'notice-head' },
+            element('strong', {}, title),
+            known && element('code', { class: 'notice-code' }, error.code),
+        ),
+        detail !== title && element('p', {}, detail),
+        known && error.requestId && element('p', { class: 'fine' }, `Request ${error.requestId}`),
+        retry && element('button', { type: 'button', class: 'button', click: retry }, 'Try again'),
+    );
+}
+
+/** Nothing went wrong: there is just nothing to show. */
+export function emptyNotice(title: string, ...body: Child[]): HTMLElement {
+    return element(
+        'div',
+        { class: 'notice notice-empty' },
+        element('strong', {}, title),
+        element('p', {}, ...body),
+    );
+}

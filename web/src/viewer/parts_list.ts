@@ -1,0 +1,24 @@
+import { partClass, partShares } from '../gallery/distance_parts';
+import { element } from '../page/element';
+import { capitalise, formatDistance, formatName } from '../page/format';
+
+/** The parts of a distance, each with its value and its share as a bar. */
+export function partsList(parts: Readonly<Record<string, number>>): HTMLElement {
+    return element(
+        'dl',
+        { class: 'parts-list', 'aria-label': 'Parts of the distance' },
+        partShares(parts).map(({ name, value, share, index }) =>
+            element(
+                'div',
+                {},
+                element('dt', {}, capitalise(formatName(name))),
+                element('dd', { class: 'number' }, formatDistance(value)),
+                element('span', {
+                    class: partClass(index),
+                    '--share': share.toFixed(4),
+                    'aria-hidden': 'true',
+                }),
+            ),
+        ),
+    );
+}

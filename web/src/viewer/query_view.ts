@@ -1,0 +1,35 @@
+import type { PreviewMesh, Skeleton } from '../api/types';
+import { element } from '../page/element';
+import { OrbitSource } from './orbit_input';
+import { Pane } from './pane';
+import { readAccent } from './theme';
+import { hasWebGl } from './webgl';
+
+export interface View {
+    node: HTMLElement;
+    dispose(): void;
+}
+
+export function noWebGlNotice(): HTMLElement {
+    return element(
+        'p',
+        { class: 'no-webgl' },
+        'This browser shows no 3D pictures (WebGL is off or missing).',
+    );
+}
+
+/** One model alone, its skeleton in the page's accent colour. */
+export function queryView(name: string, skeleton: Skeleton, mesh: PreviewMesh | null): View {
+    if (!hasWebGl()) {
+        return { node: noWebGlNotice(), dispose: () => {} };
+    }
+    const accent = readAccent();
+    return new Pane({
+        mesh,
+        skeleton,
+        branchColors: new Map(skeleton.branches.map((branch) => [branch.id, accent])),
+        label: `${name} with its skeleton`,
+        orbit: new OrbitSource(),
+        onHover: () => {},
+    });
+}

@@ -1,0 +1,58 @@
+import { Color, DoubleSide, LessEqualDepth, ShaderMaterial } from 'three';
+
+export interface SurfaceColors {
+    body: string;
+    rim: string;
+    /** Opacity where the surface faces the viewer. */
+    bodyOpacity: number;
+    /** Opacity where it turns away: the outline stays readable while the inside shows through. */
+    rimOpacity: number;
+}
+
+const kVertexShader = /* glsl */ `
+    varying vec3 normal_view;
+    varying vec3 to_viewer;
+    void main() {
+        vec4 position_view = modelViewMatrix * vec4(position, 1.0);
+        normal_view = normalMatrix * normal;
+        to_viewer = -position_view.xyz;
+        gl_Position = projectionMatrix * position_view;
+    }
+`;
+
+const kFragmentShader = /* glsl */ `
+    uniform vec3 body;
+    uniform vec3 rim;
+    uniform float body_opacity;
+    uniform float rim_opacity;
+    varying vec3 normal_view;
+    varying vec3 to_viewer;
+    void main() {
+        float facing = abs(dot(normalize(normal_view), normalize(to_viewer)));
+        float edge = pow(1.0 - facing, 2.2);
+        float light = 0.82 + 0.18 * normalize(normal_view).y * (gl_FrontFacing ? 1.0 : -1.0);
+        gl_FragColor = vec4(mix(body, rim, edge) * light, mix(body_opacity, rim_opacity, edge));
+        #include <colorspace_fragment>
+    }
+`;
+
+/**
+ * Glass rather than plain transparency: opaque at the silhouette, clear where one looks straight at
+ * it. Both faces are drawn, because the triangles of a polygon soup are wound at random.
+ */
+export function surfaceMaterial(colors: SurfaceColors): ShaderMaterial {
+    return new ShaderMaterial({
+        vertexShader: kVertexShader,
+        fragmentShader: kFragmentShader,
+        uniforms: {
+            body: { value: new Color(colors.body) },
+            rim: { value: new Color(colors.rim) },
+            body_opacity: { value: colors.bodyOpacity },
+            rim_opacity: { value: colors.rimOpacity },
+        },
+        transparent: true,
+        depthWrite: false,
+        depthFunc: LessEqualDepth,
+        side: DoubleSide,
+    });
+}

@@ -1,0 +1,23 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+
+const inside = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+/** The tests lie outside web/, so that their imports have to be led to web/node_modules. */
+export default defineConfig({
+    root: inside('../tests/browser'),
+    resolve: {
+        alias: {
+            'playwright-core': inside('node_modules/playwright-core/index.mjs'),
+            vitest: inside('node_modules/vitest/dist/index.js'),
+        },
+    },
+    server: { fs: { allow: [inside('..')] } },
+    test: {
+        environment: 'node',
+        include: ['**/*.test.ts'],
+        testTimeout: 60_000,
+        hookTimeout: 180_000,
+        fileParallelism: false,
+    },
+});
