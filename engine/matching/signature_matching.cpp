@@ -41,8 +41,9 @@ bool is_below(const SignatureTree& tree, std::uint32_t node, std::uint32_t ances
     return node < ancestor && node >= tree.nodes[ancestor].first_in_subtree;
 }
 
+/// The root counts as an inner node even where it is the only one (a ring, a point).
 bool is_end_point(const SignatureTree& tree, std::uint32_t node) {
-    return tree.shape.children(node).empty();
+    return tree.shape.children(node).empty() && node + 1 != tree.nodes.size();
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "engine/matching/skeleton_descriptor.h"
+#include "engine/skeleton/skeleton_graph.h"
+
+namespace ossuary::test {
+
+/// Builds skeleton graphs in voxel units.
+class SkeletonBuilder {
+public:
+    std::uint32_t node(const Vec3& position, double radius);
+    /// A branch from a to b that bulges by `bulge` at its middle, with radii between the nodes'.
+    std::uint32_t branch(std::uint32_t a, std::uint32_t b, const Vec3& bulge = Vec3::Zero());
+    /// The graph with degrees, and significances as the branch lengths and radii of each node.
+    [[nodiscard]] SkeletonGraph graph() const;
+
+private:
+    SkeletonGraph graph_;
+};
+
+/// Trunk, head, two arms and two legs; `pose` in [0, 1] raises the arms and parts the legs.
+SkeletonGraph human(double pose);
+/// Trunk, neck with head, tail and four legs; `pose` in [0, 1] swings the legs and lifts the head.
+SkeletonGraph four_leg(double pose);
+/// Eight curved arms from one junction.
+SkeletonGraph octopus(double pose);
+SkeletonGraph point();
+SkeletonGraph curve();
+SkeletonGraph ring();
+SkeletonGraph cup();           ///< a stem with a handle
+SkeletonGraph figure_eight();  ///< two loops through one node
+SkeletonGraph two_components();
+
+/// A random tree with `extra` further branches that close cycles.
+SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra);
+
+/// The same skeleton with nodes and branches in another order and some branches reversed.
+SkeletonGraph renumbered(const SkeletonGraph& graph, std::mt19937& random);
+SkeletonGraph moved(const SkeletonGraph& graph, const Mat3& linear, const Vec3& shift,
+                    double scale);
+
+/// Descriptor at a scale that suits the built skeletons.
+SkeletonDescriptor describe(const SkeletonGraph& graph, double scale = 100.0);
+
+}  // namespace ossuary::test
