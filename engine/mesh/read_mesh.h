@@ -17,6 +17,9 @@ struct ReadMeshOptions {
     std::uint32_t max_vertices = 5'000'000;
     std::uint32_t max_faces = 10'000'000;
     std::uint32_t max_face_corners = 10'000;
+    std::uint32_t max_triangles = 20'000'000;  ///< after triangulation
+    /// Larger magnitudes are refused like infinities: areas and volumes would overflow.
+    double max_coordinate = 1e100;
 };
 
 struct ReadMeshResult {
@@ -25,8 +28,10 @@ struct ReadMeshResult {
 };
 
 /// Reads a model file; the format follows its contents, not its name (today: OFF and relatives).
-/// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported, and those of the
-/// format's own reader (read_off.h).
+/// What is odd about the surface but does not keep it from being used comes back as warnings.
+/// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported (the message names
+/// the format that was recognised), format_unknown, and those of the format's own reader
+/// (read_off.h). A file that holds no face is no error; its mesh is empty.
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
                                  const ReadMeshOptions& options = {});
 

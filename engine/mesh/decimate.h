@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary {
+
+struct DecimateOptions {
+    std::size_t max_triangles = 2000;
+};
+
+/// A preview of a model with at most `max_triangles` triangles and no unused vertex; deterministic.
+/// Coincident vertices are welded and triangles without corners of their own dropped first; then
+/// edges are collapsed by quadric error, and where that cannot reach the bound (soups of many small
+/// pieces), vertices are clustered. Triangles may be turned over so that neighbours agree.
+/// `face_of_triangle` of the result numbers its own triangles.
+TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options = {});
+
+}  // namespace ossuary

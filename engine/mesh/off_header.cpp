@@ -1,0 +1,169 @@
+#include "engine/mesh/off_header.h"
+
+#include <string>
+
+namespace ossuary {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+Error at_line(const OffScanner& scanner, ErrorCode code, const std::string& text) {
+    return {code, "line " + std::to_string(scanner.line()) + ": " + text};
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.
+struct HeaderWord {
+    OffHeader header;
+    bool four_components = false;
+    bool names_dimension = false;
+    std::size_t length = 0;  ///< up to the end of OFF
+    bool recognised = false;
+};
+
+HeaderWord split_header_word(std::string_view token) {
+    HeaderWord word;
+    std::size_t at = 0;
+    const auto take = [&](std::string_view part) {
+        if (token.substr(at, part.size()) != part) return false;
+        at += part.size();
+        return true;
+    };
+    // The prefixes have an order on paper that files in the wild do not keep.
+    for (bool more = true; more;) {
+        more = false;
+        if (take("ST")) word.header.has_texture_coordinates = more = true;
+        if (take("C")) word.header.has_colors = more = true;
+        if (take("N")) word.header.has_normals = more = true;
+        if (take("4")) word.four_components = more = true;
+        if (take("n")) word.names_dimension = more = true;
+    }
+    word.recognised = take("OFF") || (at == 0 && take("off"));
+    word.length = at;
+    return word;
+}
+
+/// Reads the header word; false in `has_word` where the file starts with its counts.
+Result<OffHeader> read_word(OffScanner& scanner) {
+    const std::string_view token = scanner.peek_token();
+    if (is_digit(token[0]) && token.find_first_not_of("0123456789") == std::string_view::npos) {
+        OffHeader header;
+        header.has_word = false;
+        return header;
+    }
+    const HeaderWord word = split_header_word(token);
+    const std::string_view glued = token.substr(word.length);
+    if (!word.recognised || (!glued.empty() && !is_digit(glued[0]) && glued != "BINARY")) {
+        return at_line(scanner, ErrorCode::kOffHeader,
+                       "expected the header word OFF, found " + quoted_token(token));
+    }
+    scanner.advance(word.length);
+    if (!scanner.at_line_end() && scanner.peek_token() == "BINARY") {
+        return at_line(scanner, ErrorCode::kOffBinary,
+                       "expected a text OFF file, found a binary one");
+    }
+    if (word.four_components) {
+        return at_line(scanner, ErrorCode::kOffDimension,
+                       "expected vertices with three coordinates, the header word " +
+                           quoted_token(token) + " announces four");
+    }
+    if (word.names_dimension) {
+        std::uint64_t dimension = 0;
+        if (!scanner.find_token() || scanner.read_count(dimension) != NumberStatus::kOk) {
+            return at_line(scanner, ErrorCode::kOffDimension,
+                           "expected the number of dimensions after " + quoted_token(token));
+        }
+        if (dimension != 3) {
+            return at_line(scanner, ErrorCode::kOffDimension,
+                           "expected three dimensions, found " + std::to_string(dimension));
+        }
+    }
+    return word.header;
+}
+
+Result<std::uint64_t> read_one_count(OffScanner& scanner, std::string_view what) {
+    const std::string expected = "expected the number of " + std::string(what) + ", found ";
+    if (!scanner.find_token()) {
+        return at_line(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
+    }
+    std::uint64_t count = 0;
+    switch (scanner.read_count(count)) {
+        case NumberStatus::kOk:
+            return count;
+        case NumberStatus::kTooLarge:  // far above any cap, which then names the limit
+            scanner.advance(scanner.peek_token().size());
+            return std::numeric_limits<std::uint64_t>::max();
+        default:
+            return at_line(scanner, ErrorCode::kOffCounts,
+                           expected + quoted_token(scanner.peek_token()));
+    }
+}
+
+bool is_integer(std::string_view token) {
+    if (!token.empty() && (token[0] == '-' || token[0] == '+')) token.remove_prefix(1);
+    return !token.empty() && token.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The number of edges is never used, may be wrong, and is missing in some files: it is there if an
+/// integer follows on the line of the counts, or stands alone on the next line with content.
+Result<bool> skip_edge_count(OffScanner& scanner) {
+    OffScanner ahead = scanner;
+    const bool same_line = !ahead.at_line_end();
+    if (!ahead.find_token()) return false;
+    const std::string_view token = ahead.peek_token();
+    if (!is_integer(token)) {
+        if (!same_line) return false;
+        return at_line(ahead, ErrorCode::kOffCounts,
+                       "expected the number of edges, found " + quoted_token(token));
+    }
+    ahead.advance(token.size());
+    if (!same_line && !ahead.at_line_end()) return false;
+    scanner = ahead;
+    return true;
+}
+
+}  // namespace
+
+Result<OffHeader> read_off_header(OffScanner& scanner) {
+    if (scanner.peek_token().substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+        scanner.advance(kByteOrderMark.size());
+    }
+    if (!scanner.find_token()) {
+        return at_line(scanner, ErrorCode::kOffHeader,
+                       "expected the header word OFF, found the end of the file");
+    }
+    Result<OffHeader> header = read_word(scanner);
+    if (!header) return header;
+
+    const Result<std::uint64_t> vertices = read_one_count(scanner, "vertices");
+    if (!vertices) return vertices.error();
+    header->counts_line = scanner.line();
+    const Result<std::uint64_t> faces = read_one_count(scanner, "faces");
+    if (!faces) return faces.error();
+    const Result<bool> edges = skip_edge_count(scanner);
+    if (!edges) return edges.error();
+    header->vertices = *vertices;
+    header->faces = *faces;
+    header->has_edge_count = *edges;
+    return header;
+}
+
+bool looks_like_off(std::string_view text) {
+    OffScanner scanner(text);
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+        scanner.advance(kByteOrderMark.size());
+    }
+    if (!scanner.find_token()) return false;
+    const std::string_view token = scanner.peek_token();
+    constexpr std::size_t kLongestPrefix = 6;  // STCN4n
+    const std::size_t word = token.find("OFF");
+    if (word <= kLongestPrefix || token.substr(0, 3) == "off") return true;
+    for (int count = 0; count < 3; ++count) {
+        std::uint64_t ignored = 0;
+        if (scanner.at_line_end() || scanner.read_count(ignored) != NumberStatus::kOk) return false;
+    }
+    return scanner.at_line_end();
+}
+
+}  // namespace ossuary

@@ -1,0 +1,103 @@
+#include "engine/mesh/read_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "engine/mesh/inspect.h"
+#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/read_off.h"
+#include "engine/mesh/recognise_format.h"
+
+namespace ossuary {
+namespace {
+
+struct FileContents {
+    std::unique_ptr<char[]> bytes;
+    std::size_t size = 0;
+};
+
+Error too_large(std::string_view name, std::uint64_t size, std::uint64_t cap) {
+    return {ErrorCode::kFileTooLarge, std::string(name) + ": expected at most " +
+                                          std::to_string(cap) + " bytes, found " +
+                                          std::to_string(size)};
+}
+
+// One read into a buffer, not a memory map: a file that shrinks under a map kills the process.
+Result<FileContents> read_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
+    const std::string name = path.string();
+    std::error_code failure;
+    const auto status = std::filesystem::status(path, failure);
+    if (status.type() == std::filesystem::file_type::not_found) {
+        return {ErrorCode::kFileNotFound, name + ": no such file"};
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        return {ErrorCode::kFileUnreadable, name + ": not a regular file"};
+    }
+    const std::uintmax_t size = std::filesystem::file_size(path, failure);
+    if (failure) return {ErrorCode::kFileUnreadable, name + ": " + failure.message()};
+    if (size > max_bytes) return too_large(name, size, max_bytes);
+
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
+    if (!file) {
+        const std::error_code reason(errno, std::generic_category());
+        return {ErrorCode::kFileUnreadable, name + ": " + reason.message()};
+    }
+    FileContents contents;
+    contents.bytes = std::make_unique_for_overwrite<char[]>(size);
+    contents.size = std::fread(contents.bytes.get(), 1, size, file.get());
+    if (std::ferror(file.get()) != 0) {
+        return {ErrorCode::kFileUnreadable, name + ": reading failed"};
+    }
+    return contents;
+}
+
+}  // namespace
+
+Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
+                                 const ReadMeshOptions& options) {
+    Result<FileContents> contents = read_file(path, options.max_bytes);
+    if (!contents) return contents.error();
+    return read_mesh({contents->bytes.get(), contents->size}, path.string(), options);
+}
+
+Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
+                                 const ReadMeshOptions& options) {
+    if (bytes.size() > options.max_bytes) return too_large(name, bytes.size(), options.max_bytes);
+    const ModelFormat format = recognise_format(bytes);
+    if (format == ModelFormat::kOff) {
+        Result<ReadMeshResult> result = read_off(bytes, name, options);
+        if (!result) return result;
+        for (MeshWarning& warning : surface_warnings(result->mesh)) {
+            result->warnings.push_back(std::move(warning));
+        }
+        return result;
+    }
+    if (format != ModelFormat::kUnknown) {
+        return {
+            ErrorCode::kFormatUnsupported,
+            std::string(name) + ": expected an OFF file, found " + std::string(to_string(format))};
+    }
+    const std::string found = bytes.empty()
+                                  ? "an empty file"
+                                  : "one that begins with " + quoted_token(bytes.substr(0, 16));
+    return {ErrorCode::kFormatUnknown,
+            std::string(name) + ": expected an OFF file, found " + found};
+}
+
+bool is_model_file(const std::filesystem::path& path) {
+    constexpr std::array<std::string_view, 6> kExtensions = {".off",   ".coff",  ".noff",
+                                                             ".cnoff", ".ncoff", ".stoff"};
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+}  // namespace ossuary

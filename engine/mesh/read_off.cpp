@@ -1,0 +1,311 @@
+#include "engine/mesh/read_off.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/mesh/off_header.h"
+#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/triangulate.h"
+
+namespace ossuary {
+namespace {
+
+constexpr std::size_t kShortestVertex = 6;  // "0 0 0\n"
+constexpr std::size_t kShortestFace = 8;    // "3 0 1 2\n"
+
+std::string plural(std::uint64_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// Reads what follows the header, one vertex and one face a line.
+class OffBodyReader {
+public:
+    OffBodyReader(const OffScanner& scanner, const OffHeader& header,
+                  const ReadMeshOptions& options)
+        : scanner_(scanner), header_(header), options_(options) {
+        mesh_.vertices.reserve(
+            std::min<std::size_t>(header.vertices, scanner.bytes_left() / kShortestVertex + 1));
+        const std::size_t faces =
+            std::min<std::size_t>(header.faces, scanner.bytes_left() / kShortestFace + 1);
+        mesh_.triangles.reserve(faces);
+        mesh_.face_of_triangle.reserve(faces);
+    }
+
+    /// Element by element, each on its own line.
+    Result<void> read_lines() {
+        for (std::uint64_t i = 0; i < header_.vertices; ++i) {
+            if (Result<void> read = read_vertex_line(i); !read) return read;
+        }
+        for (std::uint64_t i = 0; i < header_.faces; ++i) {
+            if (Result<void> read = read_face_line(i); !read) return read;
+        }
+        note_trailing_text();
+        return {};
+    }
+
+    /// As a sequence of numbers whose lines mean nothing; `skipped` numbers follow each position.
+    /// Colours of faces cannot be told from faces then, so all must come out even.
+    Result<void> read_free_form(int skipped) {
+        for (std::uint64_t i = 0; i < header_.vertices; ++i) {
+            if (Result<void> read = read_position(i, true); !read) return read;
+            for (int value = 0; value < skipped; ++value) {
+                if (!scanner_.find_token()) return ends_early("vertex", i, header_.vertices);
+                scanner_.advance(scanner_.peek_token().size());
+            }
+        }
+        for (std::uint64_t i = 0; i < header_.faces; ++i) {
+            if (Result<void> read = read_corners(i, true); !read) return read;
+            if (corners_.empty()) return fail(ErrorCode::kOffBadNumber, "expected a face");
+            if (Result<void> added = add_face(corners_); !added) return added;
+        }
+        if (scanner_.find_token()) return fail(ErrorCode::kOffTruncated, "expected the end");
+        return {};
+    }
+
+    ReadMeshResult take(bool free_form);
+
+private:
+    [[nodiscard]] Error fail(ErrorCode code, const std::string& text) const {
+        return {code, "line " + std::to_string(scanner_.line()) + ": " + text};
+    }
+    [[nodiscard]] Error ends_early(const std::string& noun, std::uint64_t done,
+                                   std::uint64_t expected) const {
+        return fail(ErrorCode::kOffTruncated, "expected " + plural(expected, noun) +
+                                                  ", the file ends after " + std::to_string(done));
+    }
+    [[nodiscard]] Error bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const;
+    [[nodiscard]] Error bad_corner(std::uint64_t face, std::size_t corner, NumberStatus status,
+                                   std::uint64_t index) const;
+
+    Result<void> read_position(std::uint64_t vertex, bool over_lines);
+    Result<void> read_vertex_line(std::uint64_t vertex);
+    Result<void> read_corners(std::uint64_t face, bool over_lines);
+    Result<void> read_face_line(std::uint64_t face);
+    Result<void> add_face(std::span<const std::uint32_t> corners);
+    void note_trailing_text();
+
+    OffScanner scanner_;
+    const OffHeader& header_;
+    const ReadMeshOptions& options_;
+    TriangleMesh mesh_;
+    PolygonTriangulator triangulator_;
+    std::vector<std::uint32_t> corners_;
+    std::size_t extended_vertices_ = 0;
+    std::size_t small_faces_ = 0;
+    std::size_t trailing_lines_ = 0;
+    std::size_t first_trailing_line_ = 0;
+};
+
+Error OffBodyReader::bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const {
+    const std::string what = std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(vertex) +
+                             ": expected a finite number, found " +
+                             quoted_token(scanner_.peek_token());
+    return fail(
+        status == NumberStatus::kNonFinite ? ErrorCode::kOffNonFinite : ErrorCode::kOffBadNumber,
+        what);
+}
+
+Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines) {
+    Vec3 position;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (over_lines ? !scanner_.find_token() : scanner_.at_line_end()) {
+            return fail(ErrorCode::kOffTruncated, "vertex " + std::to_string(vertex) +
+                                                      ": expected 3 coordinates, found " +
+                                                      std::to_string(axis));
+        }
+        OffScanner before = scanner_;
+        const NumberStatus status = scanner_.read_double(position[axis]);
+        if (status != NumberStatus::kOk) return bad_coordinate(vertex, axis, status);
+        if (std::abs(position[axis]) > options_.max_coordinate) {
+            scanner_ = before;
+            return bad_coordinate(vertex, axis, NumberStatus::kNonFinite);
+        }
+    }
+    mesh_.vertices.push_back(position);
+    return {};
+}
+
+Result<void> OffBodyReader::read_vertex_line(std::uint64_t vertex) {
+    if (!scanner_.find_token()) return ends_early("vertex line", vertex, header_.vertices);
+    if (Result<void> read = read_position(vertex, false); !read) return read;
+    if (!scanner_.at_line_end()) {
+        ++extended_vertices_;
+        scanner_.skip_rest_of_line();
+    }
+    return {};
+}
+
+Error OffBodyReader::bad_corner(std::uint64_t face, std::size_t corner, NumberStatus status,
+                                std::uint64_t index) const {
+    const std::string where =
+        "corner " + std::to_string(corner) + " of face " + std::to_string(face);
+    if (status == NumberStatus::kNotANumber) {
+        return fail(ErrorCode::kOffBadNumber, where + ": expected a vertex index, found " +
+                                                  quoted_token(scanner_.peek_token()));
+    }
+    const std::string found =
+        status == NumberStatus::kOk ? std::to_string(index) : quoted_token(scanner_.peek_token());
+    const std::string range = header_.vertices == 0
+                                  ? "no index, as there are no vertices"
+                                  : "an index from 0 to " + std::to_string(header_.vertices - 1);
+    return fail(ErrorCode::kOffIndexOutOfRange, where + ": expected " + range + ", found " + found);
+}
+
+/// Reads the corners of a face into `corners_`.
+Result<void> OffBodyReader::read_corners(std::uint64_t face, bool over_lines) {
+    if (!scanner_.find_token()) return ends_early("face line", face, header_.faces);
+    std::uint64_t count = 0;
+    const NumberStatus status = scanner_.read_count(count);
+    if (status == NumberStatus::kTooLarge ||
+        (status == NumberStatus::kOk && count > options_.max_face_corners)) {
+        return fail(ErrorCode::kOffTooManyCorners,
+                    "face " + std::to_string(face) + ": expected at most " +
+                        std::to_string(options_.max_face_corners) + " corners, found " +
+                        (status == NumberStatus::kOk ? std::to_string(count)
+                                                     : quoted_token(scanner_.peek_token())));
+    }
+    if (status != NumberStatus::kOk) {
+        return fail(ErrorCode::kOffBadNumber, "face " + std::to_string(face) +
+                                                  ": expected its number of corners, found " +
+                                                  quoted_token(scanner_.peek_token()));
+    }
+    corners_.clear();
+    for (std::uint64_t corner = 0; corner < count; ++corner) {
+        if (over_lines ? !scanner_.find_token() : scanner_.at_line_end()) {
+            return fail(ErrorCode::kOffTruncated, "face " + std::to_string(face) + ": expected " +
+                                                      plural(count, "corner") + ", found " +
+                                                      std::to_string(corner));
+        }
+        std::uint64_t index = 0;
+        const NumberStatus read = scanner_.read_count(index);
+        if (read != NumberStatus::kOk || index >= header_.vertices) {
+            return bad_corner(face, corner, read, index);
+        }
+        corners_.push_back(static_cast<std::uint32_t>(index));
+    }
+    return {};
+}
+
+Result<void> OffBodyReader::read_face_line(std::uint64_t face) {
+    if (Result<void> read = read_corners(face, false); !read) return read;
+    scanner_.skip_rest_of_line();
+    return add_face(corners_);
+}
+
+Result<void> OffBodyReader::add_face(std::span<const std::uint32_t> corners) {
+    const std::uint32_t face = mesh_.face_count++;
+    if (corners.size() < 3) {
+        ++small_faces_;
+        return {};
+    }
+    if (mesh_.triangles.size() + corners.size() - 2 > options_.max_triangles) {
+        return fail(ErrorCode::kOffTooManyFaces,
+                    "face " + std::to_string(face) + ": expected at most " +
+                        std::to_string(options_.max_triangles) + " triangles in all, found more");
+    }
+    if (corners.size() == 3) {
+        mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
+    } else {
+        triangulator_.append(corners, mesh_.vertices, mesh_.triangles);
+    }
+    mesh_.face_of_triangle.resize(mesh_.triangles.size(), face);
+    return {};
+}
+
+void OffBodyReader::note_trailing_text() {
+    while (scanner_.find_token()) {
+        if (trailing_lines_ == 0) first_trailing_line_ = scanner_.line();
+        ++trailing_lines_;
+        scanner_.skip_rest_of_line();
+    }
+}
+
+ReadMeshResult OffBodyReader::take(bool free_form) {
+    ReadMeshResult result;
+    const auto warn = [&](const char* code, std::size_t count, const std::string& message) {
+        if (count > 0) result.warnings.push_back({code, count, message});
+    };
+    const bool announced =
+        header_.has_normals || header_.has_colors || header_.has_texture_coordinates;
+    warn("header_missing", header_.has_word ? 0 : 1, "the file starts without the word OFF");
+    warn("edge_count_missing", header_.has_edge_count ? 0 : 1, "the number of edges is missing");
+    warn("free_form_lines", free_form ? 1 : 0,
+         "the file does not keep to one vertex or face a line");
+    warn("unannounced_vertex_values", announced ? 0 : extended_vertices_,
+         plural(extended_vertices_, "vertex line") + " with more than three coordinates");
+    warn("faces_under_three_corners", small_faces_,
+         plural(small_faces_, "face") + " with fewer than three corners");
+    warn("polygons_without_ears", triangulator_.fanned(),
+         plural(triangulator_.fanned(), "polygon") + " crossing or folded, cut as a fan");
+    warn("trailing_text", trailing_lines_,
+         plural(trailing_lines_, "line") + " after the last face, from line " +
+             std::to_string(first_trailing_line_));
+    result.mesh = std::move(mesh_);
+    return result;
+}
+
+Result<void> check_caps(const OffHeader& header, const ReadMeshOptions& options) {
+    const auto over = [&](ErrorCode code, const char* noun, std::uint64_t found,
+                          std::uint64_t cap) -> Result<void> {
+        if (found <= cap) return {};
+        return {code, "line " + std::to_string(header.counts_line) + ": expected at most " +
+                          std::to_string(cap) + " " + noun + ", found " + std::to_string(found)};
+    };
+    if (Result<void> checked =
+            over(ErrorCode::kOffTooManyVertices, "vertices", header.vertices, options.max_vertices);
+        !checked) {
+        return checked;
+    }
+    return over(ErrorCode::kOffTooManyFaces, "faces", header.faces, options.max_faces);
+}
+
+/// Reads the text as a free sequence of numbers if that comes out even.
+std::optional<ReadMeshResult> try_free_form(const OffScanner& scanner, const OffHeader& header,
+                                            const ReadMeshOptions& options) {
+    const int other_values =
+        (header.has_normals ? 3 : 0) + (header.has_texture_coordinates ? 2 : 0);
+    for (const int color_values : {4, 3}) {
+        OffBodyReader reader(scanner, header, options);
+        if (reader.read_free_form(other_values + (header.has_colors ? color_values : 0))) {
+            return reader.take(true);
+        }
+        if (!header.has_colors) break;
+    }
+    return std::nullopt;
+}
+
+Result<ReadMeshResult> read_text(std::string_view text, const ReadMeshOptions& options) {
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
+        OffScanner before(text.substr(0, nul));
+        while (before.find_token()) before.skip_rest_of_line();
+        return {ErrorCode::kOffBinary,
+                "line " + std::to_string(before.line()) + ": expected text, found a NUL byte"};
+    }
+    OffScanner scanner(text);
+    const Result<OffHeader> header = read_off_header(scanner);
+    if (!header) return header.error();
+    if (Result<void> caps = check_caps(*header, options); !caps) return caps.error();
+
+    OffBodyReader reader(scanner, *header, options);
+    const Result<void> read = reader.read_lines();
+    if (read) return reader.take(false);
+    // A line that ends early, or too few lines, is also what free-form text looks like.
+    if (read.error().code == ErrorCode::kOffTruncated) {
+        if (auto free_form = try_free_form(scanner, *header, options)) return *std::move(free_form);
+    }
+    return read.error();
+}
+
+}  // namespace
+
+Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
+                                const ReadMeshOptions& options) {
+    Result<ReadMeshResult> result = read_text(text, options);
+    if (result) return result;
+    return {result.error().code, std::string(name) + ", " + result.error().message};
+}
+
+}  // namespace ossuary

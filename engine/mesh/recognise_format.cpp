@@ -1,0 +1,95 @@
+#include "engine/mesh/recognise_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+
+#include "engine/mesh/off_header.h"
+#include "engine/mesh/off_scanner.h"
+
+namespace ossuary {
+namespace {
+
+bool is_binary_stl(std::string_view bytes) {
+    constexpr std::size_t kHeader = 84;
+    constexpr std::size_t kTriangle = 50;
+    if (bytes.size() < kHeader) return false;
+    std::uint64_t triangles = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        triangles |= std::uint64_t{static_cast<unsigned char>(bytes[80 + i])} << (8 * i);
+    }
+    return triangles > 0 && bytes.size() == kHeader + kTriangle * triangles;
+}
+
+bool is_obj(std::string_view bytes) {
+    constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp",     "f",     "o",
+                                                            "g", "s",  "l",  "mtllib", "usemtl"};
+    OffScanner scanner(bytes);
+    if (!scanner.find_token()) return false;
+    return std::find(kKeywords.begin(), kKeywords.end(), scanner.peek_token()) != kKeywords.end();
+}
+
+}  // namespace
+
+ModelFormat recognise_format(std::string_view bytes) {
+    constexpr std::size_t kGlance = 4096;
+    const std::string_view start = bytes.substr(0, kGlance);
+    const auto mentions = [&](std::string_view word) {
+        return start.find(word) != std::string_view::npos;
+    };
+    if (is_binary_stl(bytes)) return ModelFormat::kStlBinary;
+    if (bytes.starts_with("glTF")) return ModelFormat::kGltfBinary;
+    if (bytes.starts_with("#VRML")) return ModelFormat::kVrml;
+    if (bytes.starts_with("PK\x03\x04")) return ModelFormat::kThreeMf;
+    if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
+    if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
+    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return ModelFormat::kPly;
+    if (looks_like_off(bytes)) return ModelFormat::kOff;
+
+    const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    const std::string_view text = first == std::string_view::npos ? "" : start.substr(first);
+    if (text.starts_with("solid") && (mentions("facet") || mentions("endsolid"))) {
+        return ModelFormat::kStlText;
+    }
+    if (text.starts_with("{") && mentions("\"asset\"")) return ModelFormat::kGltfText;
+    if (text.starts_with("<?xml") || text.starts_with("<COLLADA") || text.starts_with("<X3D")) {
+        return ModelFormat::kXml;
+    }
+    return is_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
+}
+
+std::string_view to_string(ModelFormat format) {
+    switch (format) {
+        case ModelFormat::kUnknown:
+            return "unknown";
+        case ModelFormat::kOff:
+            return "OFF";
+        case ModelFormat::kStlText:
+            return "STL (text)";
+        case ModelFormat::kStlBinary:
+            return "STL (binary)";
+        case ModelFormat::kPly:
+            return "PLY";
+        case ModelFormat::kObj:
+            return "OBJ";
+        case ModelFormat::kGltfText:
+            return "glTF";
+        case ModelFormat::kGltfBinary:
+            return "glTF (binary)";
+        case ModelFormat::kVrml:
+            return "VRML";
+        case ModelFormat::kThreeMf:
+            return "ZIP or 3MF";
+        case ModelFormat::kXml:
+            return "XML (COLLADA, X3D or AMF)";
+        case ModelFormat::kFbx:
+            return "FBX";
+        case ModelFormat::kStep:
+            return "STEP";
+    }
+    assert(false);
+    return "unknown";
+}
+
+}  // namespace ossuary

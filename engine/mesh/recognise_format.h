@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+namespace ossuary {
+
+/// Model formats that can be told by their contents.
+enum class ModelFormat {
+    kUnknown,
+    kOff,
+    kStlText,
+    kStlBinary,
+    kPly,
+    kObj,
+    kGltfText,
+    kGltfBinary,
+    kVrml,
+    kThreeMf,  ///< any ZIP archive, which is what 3MF files are
+    kXml,      ///< COLLADA, X3D and AMF
+    kFbx,
+    kStep,
+};
+
+/// What the bytes look like, whatever the file is called.
+[[nodiscard]] ModelFormat recognise_format(std::string_view bytes);
+
+/// The format's name for messages.
+[[nodiscard]] std::string_view to_string(ModelFormat format);
+
+}  // namespace ossuary

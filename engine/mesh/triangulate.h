@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary {
+
+/// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
+///
+/// Convex polygons become a fan around their first corner, others are cut by ear clipping in the
+/// plane of their area normal (Newell's), so that a simple planar polygon is covered exactly. A
+/// polygon of n corners always gives n - 2 triangles that use its corners only and keep its
+/// orientation; where it is not simple (self-crossing, folded, without area) the rest that has no
+/// ear left becomes a fan.
+class PolygonTriangulator {
+public:
+    /// `max_work` bounds the point-in-triangle tests over the lifetime of the object; polygons that
+    /// come after it is spent become fans.
+    explicit PolygonTriangulator(std::uint64_t max_work = 1'000'000'000) : work_left_(max_work) {}
+
+    /// Appends the triangles of `polygon`, at least three indices into `vertices`.
+    void append(std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vertices,
+                std::vector<TriangleMesh::Triangle>& triangles);
+
+    /// Concave polygons that became fans, wholly or in part, because no ear was found or the work
+    /// was spent.
+    [[nodiscard]] std::size_t fanned() const { return fanned_; }
+
+private:
+    using Vec2 = Eigen::Vector2d;
+
+    bool project(std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vertices);
+    [[nodiscard]] bool is_convex() const;
+    void clip_ears(std::span<const std::uint32_t> polygon,
+                   std::vector<TriangleMesh::Triangle>& triangles);
+    [[nodiscard]] bool is_reflex(std::uint32_t corner) const;
+    [[nodiscard]] bool is_ear(std::uint32_t corner);
+    void unlink(std::uint32_t corner);
+
+    std::uint64_t work_left_;
+    std::size_t fanned_ = 0;
+    std::vector<Vec2> points_;  // counter-clockwise
+    std::vector<std::uint32_t> next_;
+    std::vector<std::uint32_t> previous_;
+    std::vector<std::uint8_t> reflex_;
+    std::vector<std::uint32_t> reflex_corners_;  // may name corners that are reflex no more
+};
+
+}  // namespace ossuary
