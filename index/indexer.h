@@ -24,8 +24,8 @@ struct IndexOptions {
     bool prune = false;         ///< remove the models under `paths` whose files are gone
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     double model_timeout_seconds = 600.0;  ///< a model may take this long; 0 = for ever
-    std::size_t batch_models = 32;         ///< at most so many models a transaction
-    double batch_seconds = 2.0;            ///< and at least one transaction in this time
+    std::size_t batch_models = 8;          ///< changes a transaction; fixed, so that revisions do
+                                           ///< not depend on time
 };
 
 /// How far indexing has come.

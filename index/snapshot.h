@@ -36,7 +36,7 @@ private:
 
     Revision revision_ = 0;
     std::vector<ModelSummary> models_;
-    std::vector<Revision> changed_at_;
+    std::vector<KnownModel> known_;
     std::vector<std::shared_ptr<const ModelDescriptor>> descriptors_;
     std::vector<const ModelDescriptor*> descriptor_pointers_;
     CollectionStatistics statistics_;

@@ -86,6 +86,11 @@ struct StoredDescriptor {
     ModelId id = 0;
     ModelDescriptor descriptor;  ///< with its derived matching data
 };
+/// A model as a reader has it: at which revision it last changed.
+struct KnownModel {
+    ModelId id = 0;
+    Revision changed_at = 0;
+};
 struct StoredSignature {
     ModelId id = 0;
     std::vector<float> signature;
@@ -94,6 +99,18 @@ struct StoredSignature {
 struct StoredStatistics {
     CollectionStatistics statistics;
     Revision revision = 0;
+};
+
+struct StoreContents {
+    struct Model {
+        ModelId id = 0;
+        Revision changed_at = 0;
+        std::optional<ModelSummary> summary;        ///< none = as known
+        std::optional<ModelDescriptor> descriptor;  ///< none = as known
+    };
+    Revision revision = 0;
+    std::vector<Model> models;  ///< in the order of ids
+    std::optional<StoredStatistics> statistics;
 };
 
 /// Names one cached evaluation.
@@ -168,12 +185,12 @@ public:
     Result<ModelSummary> model(ModelId id);
     /// Models by name (exact), in the order of their ids.
     Result<std::vector<ModelSummary>> models_named(std::string_view name);
-    /// Each model's id and the revision at which it last changed, in the order of ids.
-    Result<std::vector<std::pair<ModelId, Revision>>> changes();
-    /// Summaries and descriptors of `ids` (ascending), in that order; ids that are gone are left
-    /// out.
-    Result<std::vector<ModelSummary>> summaries(std::span<const ModelId> ids);
+    /// The whole collection as of one revision; models that are at the same revision in `known`
+    /// (ascending ids) come without summary and descriptor.
+    Result<StoreContents> contents(std::span<const KnownModel> known = {});
+    /// Descriptors of `ids`, in their order; ids that are gone are left out.
     Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids);
+    /// All signatures in the order of ids: small enough to keep where descriptors are not.
     Result<std::vector<StoredSignature>> signatures();
     Result<StoredSkeleton> skeleton(ModelId id);
     Result<PreviewMesh> preview(ModelId id);
@@ -195,8 +212,9 @@ public:
     /// Writes the log back into the file, so that the file alone is the whole index.
     Result<void> checkpoint();
 
+    struct Impl;  ///< the store's own
+
 private:
-    struct Impl;
     explicit Store(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

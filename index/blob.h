@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "engine/core/result.h"
+
+namespace ossuary::index {
+
+/// The kinds of blob in an index, each with its four-letter mark and the version it is written in.
+struct BlobKind {
+    std::string_view mark;  ///< four ASCII letters
+    std::uint8_t version = 1;
+};
+
+inline constexpr BlobKind kSkeletonBlob{"SKEL", 1};
+inline constexpr BlobKind kDescriptorBlob{"DESC", 1};
+inline constexpr BlobKind kGlobalsBlob{"GLOB", 1};
+inline constexpr BlobKind kSignatureBlob{"SIGN", 1};
+inline constexpr BlobKind kPreviewBlob{"MESH", 1};
+inline constexpr BlobKind kThumbnailBlob{"THUM", 1};
+inline constexpr BlobKind kStatisticsBlob{"STAT", 1};
+inline constexpr BlobKind kEvaluationBlob{"EVAL", 1};
+
+/// Every blob: mark (4), version (1), zeros (3), payload, XXH3-64 of all before it (8).
+inline constexpr std::size_t kBlobHeaderSize = 8;
+inline constexpr std::size_t kBlobTrailerSize = 8;
+
+[[nodiscard]] std::string seal_blob(const BlobKind& kind, std::string_view payload);
+
+/// The payload of a blob of this kind, a view into `blob`.
+/// Errors: index_corrupt (too short, another kind, checksum), index_newer (a later version).
+Result<std::string_view> open_blob(const BlobKind& kind, std::string_view blob);
+
+}  // namespace ossuary::index

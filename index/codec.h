@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/descriptor/model_descriptor.h"
+#include "engine/ranking/ranker.h"
+#include "engine/ranking/retrieval_metrics.h"
+#include "engine/skeleton/skeleton_graph.h"
+#include "index/model.h"
+
+namespace ossuary::index {
+
+// The blobs of an index, byte for byte as docs/index-format.md says. Encoding and decoding give
+// back the same value, floats bit by bit. A decoder reads only what is there, allocates no more
+// than a small multiple of it, and refuses with index_corrupt whatever would break a precondition
+// further on: indices out of range, numbers that are not finite, bytes left over.
+
+[[nodiscard]] std::string encode_skeleton(const SkeletonGraph& graph);
+Result<SkeletonGraph> decode_skeleton(std::string_view blob);
+
+/// Nodes and branches only; what is derived from them is not stored.
+[[nodiscard]] std::string encode_descriptor(const SkeletonDescriptor& descriptor);
+/// Without derived data: call derive_matching_data before matching.
+Result<SkeletonDescriptor> decode_descriptor(std::string_view blob);
+
+[[nodiscard]] std::string encode_globals(const std::vector<GlobalDescriptor>& globals);
+Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob);
+
+[[nodiscard]] std::string encode_signature(const std::vector<float>& signature);
+Result<std::vector<float>> decode_signature(std::string_view blob);
+
+[[nodiscard]] std::string encode_preview(const PreviewMesh& mesh);
+Result<PreviewMesh> decode_preview(std::string_view blob);
+
+[[nodiscard]] std::string encode_thumbnail(const std::vector<std::uint8_t>& png);
+Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob);
+
+[[nodiscard]] std::string encode_statistics(const CollectionStatistics& statistics);
+Result<CollectionStatistics> decode_statistics(std::string_view blob);
+
+[[nodiscard]] std::string encode_report(const RetrievalReport& report);
+Result<RetrievalReport> decode_report(std::string_view blob);
+
+/// Warnings as JSON text: [{"code": …, "count": …, "message": …}].
+[[nodiscard]] std::string encode_warnings(const std::vector<MeshWarning>& warnings);
+Result<std::vector<MeshWarning>> decode_warnings(std::string_view text);
+
+}  // namespace ossuary::index

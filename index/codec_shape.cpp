@@ -1,0 +1,263 @@
+// The blobs of one model: skeleton, descriptors, preview and thumbnail.
+
+#include <algorithm>
+#include <cmath>
+
+#include "index/blob.h"
+#include "index/bytes.h"
+#include "index/codec.h"
+
+namespace ossuary::index {
+
+namespace {
+
+Error corrupt(const BlobKind& kind, std::string_view what) {
+    return {ErrorCode::kIndexCorrupt, std::string(kind.mark) + " blob: " + std::string(what)};
+}
+
+template <typename T>
+bool all_finite(const std::vector<T>& values) {
+    return std::all_of(values.begin(), values.end(), [](T value) { return std::isfinite(value); });
+}
+
+Vec3 get_point(ByteReader& reader) {
+    const auto x = reader.get<double>();
+    const auto y = reader.get<double>();
+    const auto z = reader.get<double>();
+    return {x, y, z};
+}
+
+void put_point(ByteWriter& writer, const Vec3& point) {
+    writer.put(point.x());
+    writer.put(point.y());
+    writer.put(point.z());
+}
+
+/// A blob of 32-bit floats behind their number.
+std::string encode_floats(const BlobKind& kind, const std::vector<float>& values) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(values.size()));
+    writer.put_all<float>(values);
+    return seal_blob(kind, writer.bytes());
+}
+
+}  // namespace
+
+std::string encode_skeleton(const SkeletonGraph& graph) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(graph.nodes.size()));
+    for (const SkeletonGraph::Node& node : graph.nodes) {
+        put_point(writer, node.position);
+        writer.put(node.radius);
+        writer.put(node.significance);
+        writer.put(static_cast<std::int32_t>(node.degree));
+    }
+    writer.put(static_cast<std::uint32_t>(graph.branches.size()));
+    for (const SkeletonGraph::Branch& branch : graph.branches) {
+        writer.put(branch.a);
+        writer.put(branch.b);
+        writer.put(static_cast<std::uint32_t>(branch.points.size()));
+        for (const Vec3& point : branch.points) put_point(writer, point);
+        writer.put_all<double>(branch.radii);
+    }
+    return seal_blob(kSkeletonBlob, writer.bytes());
+}
+
+Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
+    const auto payload = open_blob(kSkeletonBlob, blob);
+    if (!payload) return payload.error();
+    ByteReader reader(*payload);
+    SkeletonGraph graph;
+    graph.nodes.resize(reader.get_count(44));
+    bool finite = true;
+    for (SkeletonGraph::Node& node : graph.nodes) {
+        node.position = get_point(reader);
+        node.radius = reader.get<double>();
+        node.significance = reader.get<double>();
+        node.degree = reader.get<std::int32_t>();
+        finite = finite && node.position.allFinite() && std::isfinite(node.radius) &&
+                 std::isfinite(node.significance);
+    }
+    graph.branches.resize(reader.get_count(12 + 2 * 32));
+    for (SkeletonGraph::Branch& branch : graph.branches) {
+        branch.a = reader.get<std::uint32_t>();
+        branch.b = reader.get<std::uint32_t>();
+        const std::uint32_t count = reader.get_count(32);
+        if (!reader.ok()) break;
+        if (count < 2) return corrupt(kSkeletonBlob, "a branch of fewer than two points");
+        if (std::max(branch.a, branch.b) >= graph.nodes.size()) {
+            return corrupt(kSkeletonBlob, "a branch ends at a node that is not there");
+        }
+        branch.points.reserve(count);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            branch.points.push_back(get_point(reader));
+            finite = finite && branch.points.back().allFinite();
+        }
+        branch.radii = reader.get_all<double>(count);
+        finite = finite && all_finite(branch.radii);
+    }
+    if (!reader.ok() || !reader.at_end()) return corrupt(kSkeletonBlob, "wrong length");
+    if (!finite) return corrupt(kSkeletonBlob, "a number that is not finite");
+    return graph;
+}
+
+std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
+    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+        for (const float coordinate : node.position) writer.put(coordinate);
+        writer.put(node.radius);
+        writer.put(node.significance);
+    }
+    writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
+    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+        writer.put(branch.a);
+        writer.put(branch.b);
+        writer.put(branch.length);
+        writer.put_text(branch.chain_code);
+        writer.put(static_cast<std::uint32_t>(branch.radii.size()));
+        writer.put_all<float>(branch.points);
+        writer.put_all<float>(branch.radii);
+    }
+    return seal_blob(kDescriptorBlob, writer.bytes());
+}
+
+Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
+    const auto payload = open_blob(kDescriptorBlob, blob);
+    if (!payload) return payload.error();
+    ByteReader reader(*payload);
+    SkeletonDescriptor descriptor;
+    descriptor.nodes.resize(reader.get_count(20));
+    bool finite = true;
+    for (SkeletonDescriptor::Node& node : descriptor.nodes) {
+        for (float& coordinate : node.position) {
+            coordinate = reader.get<float>();
+            finite = finite && std::isfinite(coordinate);
+        }
+        node.radius = reader.get<float>();
+        node.significance = reader.get<float>();
+        finite = finite && std::isfinite(node.radius) && std::isfinite(node.significance);
+    }
+    descriptor.branches.resize(reader.get_count(20 + 2 * 16));
+    for (SkeletonDescriptor::Branch& branch : descriptor.branches) {
+        branch.a = reader.get<std::uint32_t>();
+        branch.b = reader.get<std::uint32_t>();
+        branch.length = reader.get<float>();
+        branch.chain_code = reader.get_text();
+        const std::uint32_t samples = reader.get_count(16);
+        branch.points = reader.get_all<float>(std::size_t{3} * samples);
+        branch.radii = reader.get_all<float>(samples);
+        if (!reader.ok()) break;
+        if (samples < 2) return corrupt(kDescriptorBlob, "a branch of fewer than two points");
+        if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
+            return corrupt(kDescriptorBlob, "a branch ends at a node that is not there");
+        }
+        if (branch.chain_code.find_first_not_of("01234") != std::string::npos) {
+            return corrupt(kDescriptorBlob, "a chain code with other digits than 0 to 4");
+        }
+        finite = finite && std::isfinite(branch.length) && all_finite(branch.points) &&
+                 all_finite(branch.radii);
+    }
+    if (!reader.ok() || !reader.at_end()) return corrupt(kDescriptorBlob, "wrong length");
+    if (!finite) return corrupt(kDescriptorBlob, "a number that is not finite");
+    return descriptor;
+}
+
+std::string encode_globals(const std::vector<GlobalDescriptor>& globals) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(globals.size()));
+    for (const GlobalDescriptor& global : globals) {
+        writer.put_text(global.name);
+        writer.put(static_cast<std::uint32_t>(global.values.size()));
+        writer.put_all<float>(global.values);
+    }
+    return seal_blob(kGlobalsBlob, writer.bytes());
+}
+
+Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob) {
+    const auto payload = open_blob(kGlobalsBlob, blob);
+    if (!payload) return payload.error();
+    ByteReader reader(*payload);
+    std::vector<GlobalDescriptor> globals(reader.get_count(8));
+    for (GlobalDescriptor& global : globals) {
+        global.name = reader.get_text();
+        global.values = reader.get_all<float>(reader.get_count(4));
+        if (!all_finite(global.values)) {
+            return corrupt(kGlobalsBlob, "a number that is not finite");
+        }
+    }
+    if (!reader.ok() || !reader.at_end()) return corrupt(kGlobalsBlob, "wrong length");
+    return globals;
+}
+
+std::string encode_signature(const std::vector<float>& signature) {
+    return encode_floats(kSignatureBlob, signature);
+}
+
+Result<std::vector<float>> decode_signature(std::string_view blob) {
+    const auto payload = open_blob(kSignatureBlob, blob);
+    if (!payload) return payload.error();
+    ByteReader reader(*payload);
+    std::vector<float> signature = reader.get_all<float>(reader.get_count(4));
+    if (!reader.ok() || !reader.at_end()) return corrupt(kSignatureBlob, "wrong length");
+    if (!all_finite(signature)) return corrupt(kSignatureBlob, "a number that is not finite");
+    return signature;
+}
+
+std::string encode_preview(const PreviewMesh& mesh) {
+    ByteWriter writer;
+    const auto vertices = static_cast<std::uint32_t>(mesh.positions.size() / 3);
+    const bool narrow = vertices <= 0x10000;
+    writer.put(vertices);
+    writer.put(static_cast<std::uint32_t>(mesh.triangles.size() / 3));
+    writer.put(static_cast<std::uint8_t>(narrow ? 2 : 4));
+    writer.put_all<float>(mesh.positions);
+    if (narrow) {
+        for (const std::uint32_t index : mesh.triangles) {
+            writer.put(static_cast<std::uint16_t>(index));
+        }
+    } else {
+        writer.put_all<std::uint32_t>(mesh.triangles);
+    }
+    return seal_blob(kPreviewBlob, writer.bytes());
+}
+
+Result<PreviewMesh> decode_preview(std::string_view blob) {
+    const auto payload = open_blob(kPreviewBlob, blob);
+    if (!payload) return payload.error();
+    ByteReader reader(*payload);
+    const auto vertices = reader.get<std::uint32_t>();
+    const auto triangles = reader.get<std::uint32_t>();
+    const auto width = reader.get<std::uint8_t>();
+    if (width != 2 && width != 4) return corrupt(kPreviewBlob, "index width is not 2 or 4");
+    PreviewMesh mesh;
+    mesh.positions = reader.get_all<float>(std::size_t{3} * vertices);
+    if (width == 4) {
+        mesh.triangles = reader.get_all<std::uint32_t>(std::size_t{3} * triangles);
+    } else {
+        const auto indices = reader.get_all<std::uint16_t>(std::size_t{3} * triangles);
+        mesh.triangles.assign(indices.begin(), indices.end());
+    }
+    if (!reader.ok() || !reader.at_end()) return corrupt(kPreviewBlob, "wrong length");
+    if (!all_finite(mesh.positions)) return corrupt(kPreviewBlob, "a number that is not finite");
+    for (const std::uint32_t index : mesh.triangles) {
+        if (index >= vertices) return corrupt(kPreviewBlob, "a vertex index out of range");
+    }
+    return mesh;
+}
+
+std::string encode_thumbnail(const std::vector<std::uint8_t>& png) {
+    const std::string bytes(png.begin(), png.end());
+    return seal_blob(kThumbnailBlob, bytes);
+}
+
+Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob) {
+    const auto payload = open_blob(kThumbnailBlob, blob);
+    if (!payload) return payload.error();
+    if (payload->substr(0, 8) != "\x89PNG\r\n\x1a\n") {
+        return corrupt(kThumbnailBlob, "not a PNG picture");
+    }
+    return std::vector<std::uint8_t>(payload->begin(), payload->end());
+}
+
+}  // namespace ossuary::index

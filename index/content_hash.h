@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ossuary::index {
+
+/// XXH3-128 (seed 0) of the bytes as 32 lower-case hexadecimal digits, most significant first: what
+/// `xxh128sum` prints. Tells contents apart; no defence against forgery.
+[[nodiscard]] std::string content_hash(std::string_view bytes);
+
+/// True for 32 lower-case hexadecimal digits.
+[[nodiscard]] bool is_content_hash(std::string_view text);
+
+}  // namespace ossuary::index

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace ossuary::index {
+
+/// One step of the schema: migrations/NNNN_name.sql, embedded when the program is built.
+struct Migration {
+    int version = 0;  ///< the schema's version once this has run
+    std::string_view name;
+    std::string_view sql;
+};
+
+/// All migrations, version 1 first and without gaps.
+[[nodiscard]] std::span<const Migration> migrations();
+
+/// The version of the schema that this program reads and writes.
+[[nodiscard]] inline int schema_version() { return static_cast<int>(migrations().size()); }
+
+}  // namespace ossuary::index

@@ -1,0 +1,12 @@
+#include "index/model.h"
+
+namespace ossuary::index {
+
+DescribeOptions describe_options(const IndexParameters& parameters) {
+    DescribeOptions options;
+    options.skeletonize.voxelize.resolution = parameters.resolution;
+    options.skeletonize.thinning.method = parameters.thinning;
+    return options;
+}
+
+}  // namespace ossuary::index

@@ -1,0 +1,289 @@
+#include <algorithm>
+
+#include "index/codec.h"
+#include "index/store_impl.h"
+
+namespace ossuary::index {
+
+namespace {
+
+std::uint32_t count_from(const Query& query, int column) {
+    return static_cast<std::uint32_t>(
+        std::clamp<std::int64_t>(query.integer(column), 0, std::int64_t{0xFFFFFFFF}));
+}
+
+Failure failure_from(const Query& query) {
+    return {query.text(0), query.text(1), query.text(2), query.text(3), query.text(4)};
+}
+
+constexpr std::string_view kSelectFailures =
+    "SELECT path, content_hash, code, message, failed_at FROM failures ";
+
+constexpr std::string_view kSelectDescriptor =
+    "SELECT d.skeleton, d.globals, s.signature FROM descriptors d "
+    "JOIN signatures s ON s.model = d.model WHERE d.model = ?";
+
+/// The WHERE clause of a page; parameters: after, class or NULL, part of the name.
+constexpr std::string_view kPageFilter =
+    "WHERE id > ?1 AND (?2 IS NULL OR class = ?2) "
+    "AND (?3 = '' OR instr(lower(name), lower(?3)) > 0)";
+
+void bind_filter(Query& query, const ModelFilter& filter, ModelId after) {
+    if (filter.class_name) {
+        query.bind(after, *filter.class_name, filter.name_contains);
+    } else {
+        query.bind(after, nullptr, filter.name_contains);
+    }
+}
+
+}  // namespace
+
+std::string select_summaries(std::string_view rest) {
+    return "SELECT " + std::string(kSummaryColumns) + " FROM models " + std::string(rest);
+}
+
+Result<ModelSummary> summary_from(const Query& query) {
+    ModelSummary summary;
+    summary.id = query.integer(0);
+    if (!query.is_null(1)) summary.path = query.text(1);
+    summary.name = query.text(2);
+    summary.class_name = query.text(3);
+    summary.content_hash = query.text(4);
+    summary.vertices = count_from(query, 5);
+    summary.faces = count_from(query, 6);
+    summary.nodes = count_from(query, 7);
+    summary.branches = count_from(query, 8);
+    summary.bounds.min() = {query.real(9), query.real(10), query.real(11)};
+    summary.bounds.max() = {query.real(12), query.real(13), query.real(14)};
+    summary.surface_area = query.real(15);
+    auto warnings = decode_warnings(query.text(16));
+    if (!warnings) {
+        return {warnings.error().code,
+                "model " + std::to_string(summary.id) + ": " + warnings.error().message};
+    }
+    summary.warnings = *std::move(warnings);
+    summary.indexed_at = query.text(17);
+    return summary;
+}
+
+Result<ModelDescriptor> descriptor_from(std::string_view skeleton, std::string_view globals,
+                                        std::string_view signature) {
+    ModelDescriptor descriptor;
+    auto decoded_skeleton = decode_descriptor(skeleton);
+    if (!decoded_skeleton) return decoded_skeleton.error();
+    auto decoded_globals = decode_globals(globals);
+    if (!decoded_globals) return decoded_globals.error();
+    auto decoded_signature = decode_signature(signature);
+    if (!decoded_signature) return decoded_signature.error();
+    descriptor.skeleton = *std::move(decoded_skeleton);
+    descriptor.globals = *std::move(decoded_globals);
+    descriptor.signature = *std::move(decoded_signature);
+    derive_matching_data(descriptor.skeleton);
+    return descriptor;
+}
+
+Result<Work> Store::claim_work(std::string_view path, std::string_view content_hash) {
+    return impl_->locked([&]() -> Result<Work> {
+        Work work;
+        {
+            Query same_path(impl_->statement(select_summaries("WHERE path = ?")));
+            if (same_path.bind(path).step() && same_path.text(4) == content_hash) {
+                auto summary = summary_from(same_path);
+                if (!summary) return summary.error();
+                work.kind = Work::Kind::kUnchanged;
+                work.models.push_back(*std::move(summary));
+                return work;
+            }
+        }
+        {
+            Query failed(impl_->statement(std::string(kSelectFailures) +
+                                          "WHERE path = ? AND content_hash = ?"));
+            if (!content_hash.empty() && failed.bind(path, content_hash).step()) {
+                work.kind = Work::Kind::kKnownFailure;
+                work.failure = failure_from(failed);
+                return work;
+            }
+        }
+        Query same_content(
+            impl_->statement(select_summaries("WHERE content_hash = ? ORDER BY id")));
+        same_content.bind(content_hash);
+        while (same_content.step()) {
+            auto summary = summary_from(same_content);
+            if (!summary) return summary.error();
+            work.kind = Work::Kind::kSameContent;
+            work.models.push_back(*std::move(summary));
+        }
+        return work;
+    });
+}
+
+Result<ModelPage> Store::models(const ModelFilter& filter) {
+    return impl_->locked([&]() -> Result<ModelPage> {
+        SQLite::Transaction transaction(impl_->database());
+        ModelPage page;
+        page.revision = impl_->connection->integer("SELECT revision FROM state");
+        {
+            Query total(
+                impl_->statement("SELECT count(*) FROM models " + std::string(kPageFilter)));
+            bind_filter(total, filter, 0);
+            total.step();
+            page.total = static_cast<std::size_t>(total.integer(0));
+        }
+        Query query(
+            impl_->statement(select_summaries(std::string(kPageFilter) + " ORDER BY id LIMIT ?4")));
+        bind_filter(query, filter, filter.after);
+        query.bind_at(
+            4, filter.limit == 0 ? std::int64_t{-1} : static_cast<std::int64_t>(filter.limit) + 1);
+        while (query.step()) {
+            if (filter.limit != 0 && page.models.size() == filter.limit) {
+                page.next = page.models.back().id;
+                break;
+            }
+            auto summary = summary_from(query);
+            if (!summary) return summary.error();
+            page.models.push_back(*std::move(summary));
+        }
+        return page;
+    });
+}
+
+Result<ModelSummary> Store::model(ModelId id) {
+    return impl_->locked([&]() -> Result<ModelSummary> {
+        Query query(impl_->statement(select_summaries("WHERE id = ?")));
+        if (!query.bind(id).step()) return impl_->no_model(id);
+        return summary_from(query);
+    });
+}
+
+Result<std::vector<ModelSummary>> Store::models_named(std::string_view name) {
+    return impl_->locked([&]() -> Result<std::vector<ModelSummary>> {
+        std::vector<ModelSummary> models;
+        Query query(impl_->statement(select_summaries("WHERE name = ? ORDER BY id")));
+        query.bind(name);
+        while (query.step()) {
+            auto summary = summary_from(query);
+            if (!summary) return summary.error();
+            models.push_back(*std::move(summary));
+        }
+        return models;
+    });
+}
+
+Result<StoreContents> Store::contents(std::span<const KnownModel> known) {
+    return impl_->locked([&]() -> Result<StoreContents> {
+        SQLite::Transaction transaction(impl_->database());
+        StoreContents contents;
+        contents.revision = impl_->connection->integer("SELECT revision FROM state");
+        Query ids(impl_->statement("SELECT id, revision FROM models ORDER BY id"));
+        auto next_known = known.begin();
+        while (ids.step()) {
+            StoreContents::Model& model = contents.models.emplace_back();
+            model.id = ids.integer(0);
+            model.changed_at = ids.integer(1);
+            while (next_known != known.end() && next_known->id < model.id) ++next_known;
+            if (next_known != known.end() && next_known->id == model.id &&
+                next_known->changed_at == model.changed_at) {
+                continue;
+            }
+            Query query(impl_->statement(select_summaries("WHERE id = ?")));
+            if (!query.bind(model.id).step()) return impl_->no_model(model.id);
+            auto summary = summary_from(query);
+            if (!summary) return summary.error();
+            model.summary = *std::move(summary);
+            Query blobs(impl_->statement(std::string(kSelectDescriptor)));
+            if (!blobs.bind(model.id).step()) {
+                return impl_->damaged(model.id,
+                                      {ErrorCode::kIndexCorrupt, "its descriptor is missing"});
+            }
+            auto descriptor = descriptor_from(blobs.blob(0), blobs.blob(1), blobs.blob(2));
+            if (!descriptor) return impl_->damaged(model.id, descriptor.error());
+            model.descriptor = *std::move(descriptor);
+        }
+        Query statistics(impl_->statement("SELECT revision, statistics FROM statistics"));
+        if (statistics.step()) {
+            auto decoded = decode_statistics(statistics.blob(1));
+            if (!decoded) return decoded.error();
+            contents.statistics = StoredStatistics{*std::move(decoded), statistics.integer(0)};
+        }
+        return contents;
+    });
+}
+
+Result<std::vector<StoredDescriptor>> Store::descriptors(std::span<const ModelId> ids) {
+    return impl_->locked([&]() -> Result<std::vector<StoredDescriptor>> {
+        SQLite::Transaction transaction(impl_->database());
+        std::vector<StoredDescriptor> found;
+        for (const ModelId id : ids) {
+            Query query(impl_->statement(std::string(kSelectDescriptor)));
+            if (!query.bind(id).step()) continue;
+            auto descriptor = descriptor_from(query.blob(0), query.blob(1), query.blob(2));
+            if (!descriptor) return impl_->damaged(id, descriptor.error());
+            found.push_back({id, *std::move(descriptor)});
+        }
+        return found;
+    });
+}
+
+Result<std::vector<StoredSignature>> Store::signatures() {
+    return impl_->locked([&]() -> Result<std::vector<StoredSignature>> {
+        std::vector<StoredSignature> signatures;
+        Query query(impl_->statement("SELECT model, signature FROM signatures ORDER BY model"));
+        while (query.step()) {
+            auto signature = decode_signature(query.blob(1));
+            if (!signature) return impl_->damaged(query.integer(0), signature.error());
+            signatures.push_back({query.integer(0), *std::move(signature)});
+        }
+        return signatures;
+    });
+}
+
+Result<StoredSkeleton> Store::skeleton(ModelId id) {
+    return impl_->locked([&]() -> Result<StoredSkeleton> {
+        SQLite::Transaction transaction(impl_->database());
+        Query query(impl_->statement("SELECT skeleton FROM skeletons WHERE model = ?"));
+        if (!query.bind(id).step()) return impl_->no_model(id);
+        auto graph = decode_skeleton(query.blob(0));
+        if (!graph) return impl_->damaged(id, graph.error());
+        StoredSkeleton skeleton{*std::move(graph), {}};
+        Query codes(
+            impl_->statement("SELECT chain_code FROM branches WHERE model = ? ORDER BY branch"));
+        codes.bind(id);
+        while (codes.step()) skeleton.chain_codes.push_back(codes.text(0));
+        if (skeleton.chain_codes.size() != skeleton.graph.branches.size()) {
+            return impl_->damaged(
+                id, {ErrorCode::kIndexCorrupt, "chain codes and branches differ in number"});
+        }
+        return skeleton;
+    });
+}
+
+Result<PreviewMesh> Store::preview(ModelId id) {
+    return impl_->locked([&]() -> Result<PreviewMesh> {
+        Query query(impl_->statement("SELECT mesh FROM previews WHERE model = ?"));
+        if (!query.bind(id).step()) return impl_->no_model(id);
+        auto mesh = decode_preview(query.blob(0));
+        if (!mesh) return impl_->damaged(id, mesh.error());
+        return mesh;
+    });
+}
+
+Result<std::vector<std::uint8_t>> Store::thumbnail(ModelId id) {
+    return impl_->locked([&]() -> Result<std::vector<std::uint8_t>> {
+        Query query(impl_->statement("SELECT png FROM thumbnails WHERE model = ?"));
+        if (!query.bind(id).step()) return impl_->no_model(id);
+        auto png = decode_thumbnail(query.blob(0));
+        if (!png) return impl_->damaged(id, png.error());
+        return png;
+    });
+}
+
+Result<std::vector<Failure>> Store::failures() {
+    return impl_->locked([&]() -> Result<std::vector<Failure>> {
+        std::vector<Failure> failures;
+        Query query(impl_->statement(std::string(kSelectFailures) + "ORDER BY path"));
+        while (query.step()) failures.push_back(failure_from(query));
+        return failures;
+    });
+}
+
+}  // namespace ossuary::index

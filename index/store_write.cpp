@@ -1,0 +1,301 @@
+#include "index/codec.h"
+#include "index/content_hash.h"
+#include "index/store_impl.h"
+#include "index/timestamp.h"
+
+namespace ossuary::index {
+
+namespace {
+
+/// The blobs of a model, ready to be written.
+struct EncodedModel {
+    std::string signature, descriptor, globals, skeleton, preview, thumbnail;
+};
+
+/// Encodes, and decodes again to be sure that what is written can be read.
+Result<EncodedModel> encode(const NewModel& model) {
+    EncodedModel encoded;
+    encoded.signature = encode_signature(model.descriptor.signature);
+    encoded.descriptor = encode_descriptor(model.descriptor.skeleton);
+    encoded.globals = encode_globals(model.descriptor.globals);
+    encoded.skeleton = encode_skeleton(model.skeleton);
+    encoded.preview = encode_preview(model.preview);
+    std::string wrong;
+    const auto check = [&wrong](const auto& decoded) {
+        if (!decoded && wrong.empty()) wrong = decoded.error().message;
+    };
+    check(decode_signature(encoded.signature));
+    check(decode_descriptor(encoded.descriptor));
+    check(decode_globals(encoded.globals));
+    check(decode_skeleton(encoded.skeleton));
+    check(decode_preview(encoded.preview));
+    if (!model.thumbnail.empty()) {
+        encoded.thumbnail = encode_thumbnail(model.thumbnail);
+        check(decode_thumbnail(encoded.thumbnail));
+    }
+    if (model.descriptor.skeleton.branches.size() != model.skeleton.branches.size() ||
+        model.descriptor.skeleton.nodes.size() != model.skeleton.nodes.size()) {
+        wrong = "skeleton and descriptor differ in size";
+    }
+    if (!model.summary.bounds.min().allFinite() || !model.summary.bounds.max().allFinite()) {
+        wrong = "bounds that are not finite";
+    }
+    if (!wrong.empty()) {
+        return {ErrorCode::kInternal, "a description that cannot be stored: " + wrong};
+    }
+    return encoded;
+}
+
+/// One transaction's worth of changes.
+class Writer {
+public:
+    explicit Writer(Store::Impl& impl)
+        : impl_(impl), transaction_(impl.database(), SQLite::TransactionBehavior::IMMEDIATE) {}
+
+    Result<ModelId> operator()(const PutModel& change);
+    Result<ModelId> operator()(const CopyModel& change);
+    Result<ModelId> operator()(const MoveModel& change);
+    Result<ModelId> operator()(const ClassifyModel& change);
+    Result<ModelId> operator()(const RemoveModel& change);
+    Result<ModelId> operator()(const RecordFailure& change);
+    Result<ModelId> operator()(const ForgetFailure& change);
+
+    void commit() { transaction_.commit(); }
+
+private:
+    Query query(const std::string& sql) { return Query(impl_.statement(sql)); }
+
+    /// This transaction's revision; it has none until a model changes.
+    Revision revision() {
+        if (revision_ == 0) {
+            query("UPDATE state SET revision = revision + 1 WHERE id = 1").run();
+            revision_ = impl_.connection->integer("SELECT revision FROM state WHERE id = 1");
+        }
+        return revision_;
+    }
+    struct Existing {
+        ModelId id = 0;
+        std::string content_hash;
+    };
+    std::optional<Existing> existing(const std::string& path, const std::string& content_hash);
+    ModelId put_row(const ModelSummary& summary, std::optional<ModelId> id);
+    void put_parts(ModelId id, const NewModel& model, const EncodedModel& encoded);
+    void forget_failure(const std::string& path) {
+        query("DELETE FROM failures WHERE path = ?").bind(path).run();
+    }
+    void remove_parts(ModelId id);
+
+    Store::Impl& impl_;
+    SQLite::Transaction transaction_;
+    Revision revision_ = 0;
+};
+
+/// The model that stands for `path`, or for an upload (no path) of these bytes.
+std::optional<Writer::Existing> Writer::existing(const std::string& path,
+                                                 const std::string& content_hash) {
+    Query found(impl_.statement(
+        path.empty() ? "SELECT id, content_hash FROM models WHERE path IS NULL AND content_hash = ?"
+                     : "SELECT id, content_hash FROM models WHERE path = ?"));
+    if (!found.bind(path.empty() ? content_hash : path).step()) return {};
+    return Existing{found.integer(0), found.text(1)};
+}
+
+ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) {
+    static const std::string kInsert =
+        "INSERT INTO models (" + std::string(kSummaryColumns) +
+        ", revision) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+        "ON CONFLICT (id) DO UPDATE SET path = excluded.path, name = excluded.name, "
+        "class = excluded.class, content_hash = excluded.content_hash, "
+        "vertices = excluded.vertices, faces = excluded.faces, nodes = excluded.nodes, "
+        "branches = excluded.branches, min_x = excluded.min_x, min_y = excluded.min_y, "
+        "min_z = excluded.min_z, max_x = excluded.max_x, max_y = excluded.max_y, "
+        "max_z = excluded.max_z, surface_area = excluded.surface_area, "
+        "warnings = excluded.warnings, indexed_at = excluded.indexed_at, "
+        "revision = excluded.revision";
+    Query insert(impl_.statement(kInsert));
+    const Vec3 low = summary.bounds.min();
+    const Vec3 high = summary.bounds.max();
+    insert.bind(std::int64_t{0}, summary.path, summary.name, summary.class_name,
+                summary.content_hash, summary.vertices, summary.faces, summary.nodes,
+                summary.branches, low.x(), low.y(), low.z(), high.x(), high.y(), high.z(),
+                summary.surface_area, encode_warnings(summary.warnings), utc_now(), revision());
+    if (id) {
+        insert.bind_at(1, *id);
+    } else {
+        insert.bind_at(1, nullptr);
+    }
+    if (summary.path.empty()) insert.bind_at(2, nullptr);
+    insert.run();
+    return id ? *id : impl_.database().getLastInsertRowid();
+}
+
+void Writer::remove_parts(ModelId id) {
+    for (const char* table :
+         {"signatures", "descriptors", "skeletons", "branches", "previews", "thumbnails"}) {
+        query("DELETE FROM " + std::string(table) + " WHERE model = ?").bind(id).run();
+    }
+}
+
+void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& encoded) {
+    query("INSERT INTO signatures (model, signature) VALUES (?, ?)")
+        .bind(id, BlobView{encoded.signature})
+        .run();
+    query("INSERT INTO descriptors (model, skeleton, globals) VALUES (?, ?, ?)")
+        .bind(id, BlobView{encoded.descriptor}, BlobView{encoded.globals})
+        .run();
+    query("INSERT INTO skeletons (model, skeleton) VALUES (?, ?)")
+        .bind(id, BlobView{encoded.skeleton})
+        .run();
+    query("INSERT INTO previews (model, mesh) VALUES (?, ?)")
+        .bind(id, BlobView{encoded.preview})
+        .run();
+    if (!encoded.thumbnail.empty()) {
+        query("INSERT INTO thumbnails (model, png) VALUES (?, ?)")
+            .bind(id, BlobView{encoded.thumbnail})
+            .run();
+    }
+    for (std::size_t i = 0; i < model.skeleton.branches.size(); ++i) {
+        const SkeletonGraph::Branch& branch = model.skeleton.branches[i];
+        query(
+            "INSERT INTO branches (model, branch, node_a, node_b, length, chain_code) "
+            "VALUES (?, ?, ?, ?, ?, ?)")
+            .bind(id, static_cast<std::int64_t>(i), branch.a, branch.b, branch.length(),
+                  model.descriptor.skeleton.branches[i].chain_code)
+            .run();
+    }
+}
+
+Result<ModelId> Writer::operator()(const PutModel& change) {
+    const NewModel& model = change.model;
+    assert(is_content_hash(model.summary.content_hash));
+    const auto old = existing(model.summary.path, model.summary.content_hash);
+    if (old && old->content_hash == model.summary.content_hash) return old->id;
+    const auto encoded = encode(model);
+    if (!encoded) return encoded.error();
+    if (old) remove_parts(old->id);
+    ModelSummary summary = model.summary;
+    summary.nodes = static_cast<std::uint32_t>(model.skeleton.nodes.size());
+    summary.branches = static_cast<std::uint32_t>(model.skeleton.branches.size());
+    const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
+    put_parts(id, model, *encoded);
+    forget_failure(summary.path);
+    return id;
+}
+
+Result<ModelId> Writer::operator()(const CopyModel& change) {
+    ModelSummary summary;
+    {
+        Query source(impl_.statement(select_summaries("WHERE id = ?")));
+        if (!source.bind(change.source).step()) return impl_.no_model(change.source);
+        auto read = summary_from(source);
+        if (!read) return read.error();
+        summary = *std::move(read);
+    }
+    const auto old = existing(change.path, summary.content_hash);
+    if (old && old->content_hash == summary.content_hash) return old->id;
+    if (old) remove_parts(old->id);
+    summary.path = change.path;
+    summary.name = change.name;
+    summary.class_name = change.class_name;
+    const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
+    for (const auto& [table, columns] : {
+             std::pair<std::string, std::string>{"signatures", "signature"},
+             {"descriptors", "skeleton, globals"},
+             {"skeletons", "skeleton"},
+             {"branches", "branch, node_a, node_b, length, chain_code"},
+             {"previews", "mesh"},
+             {"thumbnails", "png"},
+         }) {
+        query("INSERT INTO " + table + " (model, " + columns + ") SELECT ?1, " + columns +
+              " FROM " + table + " WHERE model = ?2")
+            .bind(id, change.source)
+            .run();
+    }
+    forget_failure(change.path);
+    return id;
+}
+
+Result<ModelId> Writer::operator()(const MoveModel& change) {
+    query("DELETE FROM models WHERE path = ? AND id <> ?").bind(change.path, change.id).run();
+    Query move(impl_.statement(
+        "UPDATE models SET path = ?2, name = ?3, class = coalesce(?4, class), revision = ?5 "
+        "WHERE id = ?1"));
+    move.bind(change.id, change.path, change.name, nullptr, revision());
+    if (change.class_name) move.bind_at(4, *change.class_name);
+    if (move.run() == 0) return impl_.no_model(change.id);
+    forget_failure(change.path);
+    return change.id;
+}
+
+Result<ModelId> Writer::operator()(const ClassifyModel& change) {
+    Query classify(impl_.statement("UPDATE models SET class = ?2, revision = ?3 WHERE id = ?1"));
+    if (classify.bind(change.id, change.class_name, revision()).run() == 0) {
+        return impl_.no_model(change.id);
+    }
+    return change.id;
+}
+
+Result<ModelId> Writer::operator()(const RemoveModel& change) {
+    if (query("DELETE FROM models WHERE id = ?").bind(change.id).run() == 0) {
+        return impl_.no_model(change.id);
+    }
+    revision();
+    return change.id;
+}
+
+Result<ModelId> Writer::operator()(const RecordFailure& change) {
+    if (!change.content_hash.empty()) {
+        if (query("DELETE FROM models WHERE path = ? AND content_hash <> ?")
+                .bind(change.path, change.content_hash)
+                .run() > 0) {
+            revision();
+        }
+    }
+    query(
+        "INSERT INTO failures (path, content_hash, code, message, failed_at) "
+        "VALUES (?, ?, ?, ?, ?) ON CONFLICT (path) DO UPDATE SET "
+        "content_hash = excluded.content_hash, code = excluded.code, "
+        "message = excluded.message, failed_at = excluded.failed_at")
+        .bind(change.path, change.content_hash, to_string(change.error.code), change.error.message,
+              utc_now())
+        .run();
+    return ModelId{0};
+}
+
+Result<ModelId> Writer::operator()(const ForgetFailure& change) {
+    forget_failure(change.path);
+    return ModelId{0};
+}
+
+}  // namespace
+
+Result<std::vector<ModelId>> Store::apply(std::span<const Change> changes) {
+    return impl_->locked([&]() -> Result<std::vector<ModelId>> {
+        std::vector<ModelId> ids;
+        ids.reserve(changes.size());
+        Writer writer(*impl_);
+        for (const Change& change : changes) {
+            const auto id = std::visit(writer, change);
+            if (!id) return id.error();
+            ids.push_back(*id);
+        }
+        writer.commit();
+        return ids;
+    });
+}
+
+Result<ModelId> Store::put(NewModel model) {
+    const Change change = PutModel{std::move(model)};
+    const auto ids = apply({&change, 1});
+    if (!ids) return ids.error();
+    return ids->front();
+}
+
+Result<void> Store::remove(ModelId id) {
+    const Change change = RemoveModel{id};
+    const auto ids = apply({&change, 1});
+    if (!ids) return ids.error();
+    return {};
+}
+
+}  // namespace ossuary::index
