@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+#include "engine/ranking/pair_distances.h"
+
+namespace ossuary {
+
+/// How far other models typically are from one, in each component: what its distances are divided
+/// by, so that components of different units can be added and a model that is near to everything
+/// does not come up everywhere.
+using ModelScale = ComponentValues;
+
+/// CollectionStatistics, read: the scale of each model that it knows and of all together.
+///
+/// Layout of `values`: format, number of components, number of models that the statistics are of,
+/// the pooled scale, then for each known model the two halves of its key and its scale.
+class Normalization {
+public:
+    /// Statistics that are empty or of another format leave the built-in scale.
+    explicit Normalization(const CollectionStatistics& statistics);
+
+    /// The model's own scale where the statistics know it, else null.
+    [[nodiscard]] const ModelScale* find(const ModelDescriptor& model) const;
+    [[nodiscard]] const ModelScale& pooled() const { return pooled_; }
+    /// Models that the statistics are of.
+    [[nodiscard]] std::size_t collection_size() const { return collection_size_; }
+
+    /// Own scale or the pooled one.
+    [[nodiscard]] const ModelScale& scale(const ModelDescriptor& model) const {
+        const ModelScale* own = find(model);
+        return own != nullptr ? *own : pooled_;
+    }
+
+private:
+    ModelScale pooled_;
+    std::size_t collection_size_ = 0;
+    std::unordered_map<std::uint64_t, ModelScale> known_;
+};
+
+/// The scale of a query that the statistics do not know, from its distances to the collection;
+/// leans on the pooled scale where there are few.
+[[nodiscard]] ModelScale scale_of_row(const std::vector<ComponentValues>& distances,
+                                      const ModelScale& pooled);
+
+}  // namespace ossuary

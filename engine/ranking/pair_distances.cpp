@@ -1,0 +1,25 @@
+#include "engine/ranking/pair_distances.h"
+
+#include <cassert>
+#include <limits>
+
+namespace ossuary {
+
+std::string_view component_name(std::size_t component) {
+    assert(component < kComponentCount);
+    return component == 0 ? "skeleton" : kGlobalDescriptorKinds[component - 1].name;
+}
+
+ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {
+    ComponentValues values{};
+    values[0] = skeleton(a, b);
+    for (std::size_t c = 1; c < kComponentCount; ++c) {
+        const bool both = a.globals.size() >= c && b.globals.size() >= c;
+        values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
+                                           kGlobalDescriptorKinds[c - 1].metric)
+                         : std::numeric_limits<double>::infinity();
+    }
+    return values;
+}
+
+}  // namespace ossuary

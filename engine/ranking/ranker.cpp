@@ -1,0 +1,208 @@
+#include "engine/ranking/ranker.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <utility>
+
+#include "engine/core/parallel.h"
+#include "engine/ranking/fusion.h"
+#include "engine/ranking/normalization.h"
+#include "engine/ranking/pair_distances.h"
+#include "engine/ranking/rerank.h"
+
+namespace ossuary {
+namespace {
+
+/// Models that one task of a row measures.
+constexpr std::size_t kBlock = 32;
+
+double plain_distance(PairMeter& meter, RankerKind ranker, const ModelDescriptor& a,
+                      const ModelDescriptor& b) {
+    return ranker == RankerKind::kChainCode ? meter.chain_code(a, b) : meter.skeleton(a, b);
+}
+
+std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
+                                     int jobs) {
+    std::vector<FusionSide> sides(collection.size());
+    parallel_for(collection.size(), jobs, [&](std::size_t i) {
+        sides[i] = fusion_side(*collection[i], normalization.scale(*collection[i]));
+    });
+    return sides;
+}
+
+/// Calls body(meter, j) for each j below count, in blocks that share a meter.
+template <typename Body>
+void for_each_with_meter(std::size_t count, const RankOptions& options, const Body& body) {
+    parallel_for((count + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
+        PairMeter meter(options);
+        const std::size_t end = std::min(count, (block + 1) * kBlock);
+        for (std::size_t j = block * kBlock; j < end; ++j) body(meter, j);
+    });
+}
+
+/// The side of a query: known to the statistics, or to be judged by its own row.
+FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentValues>& row,
+                      const Normalization& normalization) {
+    if (const ModelScale* own = normalization.find(query)) return fusion_side(query, *own);
+    // A handful of finalists says nothing of the collection.
+    if (2 * row.size() < normalization.collection_size()) {
+        return fusion_side(query, normalization.pooled());
+    }
+    return fusion_side(query, scale_of_row(row, normalization.pooled()));
+}
+
+std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,
+                                  const Normalization& normalization,
+                                  const std::vector<FusionSide>& sides,
+                                  const RankOptions& options) {
+    std::vector<double> distances(collection.size());
+    if (options.ranker != RankerKind::kHybrid) {
+        for_each_with_meter(collection.size(), options, [&](PairMeter& meter, std::size_t j) {
+            distances[j] = plain_distance(meter, options.ranker, query, *collection[j]);
+        });
+        return distances;
+    }
+    std::vector<ComponentValues> row(collection.size());
+    for_each_with_meter(collection.size(), options, [&](PairMeter& meter, std::size_t j) {
+        row[j] = meter.components(query, *collection[j]);
+    });
+    const FusionSide side = query_side(query, row, normalization);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+        distances[j] = fused_distance(row[j], side, sides[j]);
+    }
+    return distances;
+}
+
+/// Distances among the collection's own models, each model with the side that the statistics give.
+double collection_distance(PairMeter& meter, DescriptorSpan collection,
+                           const std::vector<FusionSide>& sides, RankerKind ranker, std::size_t i,
+                           std::size_t j) {
+    if (ranker != RankerKind::kHybrid) {
+        return plain_distance(meter, ranker, *collection[i], *collection[j]);
+    }
+    return fused_distance(meter.components(*collection[i], *collection[j]), sides[i], sides[j]);
+}
+
+/// Models that the statistics do not know are judged by their own row as queries, so that their
+/// rows are not the mirror of their columns.
+bool all_known(DescriptorSpan collection, const Normalization& normalization) {
+    return std::all_of(collection.begin(), collection.end(), [&](const ModelDescriptor* model) {
+        return normalization.find(*model) != nullptr;
+    });
+}
+
+/// The full matrix in double precision, each pair measured once.
+std::vector<double> mirrored_matrix(DescriptorSpan collection, const std::vector<FusionSide>& sides,
+                                    const RankOptions& options) {
+    const std::size_t n = collection.size();
+    std::vector<double> matrix(n * n, 0.0);
+    parallel_for(n, options.jobs, [&](std::size_t i) {
+        PairMeter meter(options);
+        for (std::size_t j = i; j < n; ++j) {
+            const double d = collection_distance(meter, collection, sides, options.ranker, i, j);
+            matrix[i * n + j] = d;
+            matrix[j * n + i] = d;
+        }
+    });
+    return matrix;
+}
+
+}  // namespace
+
+std::string_view to_string(RankerKind ranker) {
+    switch (ranker) {
+        case RankerKind::kHybrid:
+            return "hybrid";
+        case RankerKind::kSkeleton:
+            return "skeleton";
+        case RankerKind::kChainCode:
+            return "chain-code";
+    }
+    assert(false);
+    return "";
+}
+
+Result<RankerKind> parse_ranker(std::string_view name) {
+    for (const RankerKind ranker : kAllRankers) {
+        if (name == to_string(ranker)) return ranker;
+    }
+    return {ErrorCode::kInvalidArgument,
+            "ranker '" + std::string(name) + "'; expected hybrid, skeleton or chain-code"};
+}
+
+std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+                                   const CollectionStatistics& statistics,
+                                   const RankOptions& options) {
+    const Normalization normalization(statistics);
+    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options.jobs);
+    std::vector<double> distances = row_distances(query, collection, normalization, sides, options);
+    if (!options.rerank) return distances;
+    const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
+        PairMeter meter(options);
+        std::vector<double> row;
+        row.reserve(others.size());
+        for (const std::size_t j : others) {
+            row.push_back(collection_distance(meter, collection, sides, options.ranker, i, j));
+        }
+        return row;
+    };
+    return rerank(distances, among, {}, options.jobs);
+}
+
+DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
+                               const RankOptions& options) {
+    const std::size_t n = collection.size();
+    DistanceMatrix matrix;
+    matrix.size = n;
+    matrix.values.resize(n * n);
+    const auto set_row = [&](std::size_t i, const std::vector<double>& row) {
+        for (std::size_t j = 0; j < n; ++j) matrix.values[i * n + j] = static_cast<float>(row[j]);
+    };
+
+    const Normalization normalization(statistics);
+    if (options.ranker == RankerKind::kHybrid && !all_known(collection, normalization)) {
+        for (std::size_t i = 0; i < n; ++i) {
+            set_row(i, rank_distances(*collection[i], collection, statistics, options));
+        }
+        return matrix;
+    }
+    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options.jobs);
+    const std::vector<double> full = mirrored_matrix(collection, sides, options);
+    const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
+        std::vector<double> row;
+        row.reserve(others.size());
+        for (const std::size_t j : others) row.push_back(full[i * n + j]);
+        return row;
+    };
+    parallel_for(n, options.jobs, [&](std::size_t i) {
+        const auto begin = full.begin() + static_cast<std::ptrdiff_t>(i * n);
+        std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(n));
+        set_row(i, options.rerank ? rerank(row, among) : row);
+    });
+    return matrix;
+}
+
+Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
+              const CollectionStatistics& statistics, const RankOptions& options) {
+    PairMeter meter(options);
+    if (options.ranker == RankerKind::kChainCode) {
+        return match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options());
+    }
+    Match match = match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
+    if (options.ranker == RankerKind::kSkeleton) return match;
+
+    const Normalization normalization(statistics);
+    const FusionSide a = fusion_side(query, normalization.scale(query));
+    const FusionSide b = fusion_side(other, normalization.scale(other));
+    const ComponentValues distances = meter.components(query, other);
+    const ComponentValues parts = fused_parts(distances, a, b);
+    match.parts.clear();
+    for (std::size_t c = 0; c < kComponentCount; ++c) {
+        match.parts.push_back({std::string(component_name(c)), parts[c]});
+    }
+    match.distance = fused_distance(distances, a, b);
+    return match;
+}
+
+}  // namespace ossuary
