@@ -11,21 +11,44 @@ namespace ossuary {
 
 struct VoxelizeOptions {
     int resolution = 96;  ///< voxels along the longest side of the bounding box, in [8, 1024]
+    /// The grid's axes as columns, in model coordinates: voxelizes the model as seen in this pose.
+    /// The bounding box is that of the pose.
+    Mat3 rotation = Mat3::Identity();
+    bool fill_cavities = true;  ///< set what cannot be reached from outside through faces
+    /// Join components that are at most this many empty voxels apart by a line of voxels; 0 to 4.
+    int bridge_gap = 2;
+    /// Components that could not be joined and whose longest side is below this share of the
+    /// largest component's are dropped.
+    double min_component_extent = 0.1;
 };
 
-/// A model as a solid: no cavity unless the model truly has one is not promised here;
-/// `filled_cavities` says what was closed.
+/// A model as a solid.
 struct VoxelSolid {
-    BitVolume volume;  ///< at least one empty layer on every side
+    BitVolume volume;  ///< two empty layers on every side
     WorldFromGrid world_from_grid;
-    std::vector<MeshWarning> warnings;  ///< e.g. open_surface, dropped_components
-    std::string method;                 ///< how the inside was found: parity, winding, closing, …
+    /// Codes: open_surface, repeated_triangles, thin_parts (voxels that keep parts thinner than a
+    /// voxel), filled_cavities, bridged_components, dropped_components, several_components; each
+    /// with its count.
+    std::vector<MeshWarning> warnings;
+    /// How the inside was found: `winding` (all parts closed: exact), `winding+voting` (some parts
+    /// open), `voting` (all parts open), `surface` (nothing is enclosed: sheets and wires only).
+    std::string method;
 };
 
-/// Turns any mesh into a solid volume: watertight meshes exactly (a voxel is set when its centre is
-/// inside), polygon soups robustly, so that an open or thin-walled model still gives one solid.
-/// Parts thinner than a voxel are kept by rasterising the surface where the interior would lose it.
-/// Errors: mesh_empty, mesh_no_extent, solid_empty, invalid_argument.
+/// Turns any mesh into a solid volume.
+///
+/// Closed parts (by shared edges) are exact: a voxel is set when its centre has a winding number
+/// other than 0 with respect to some part, so overlapping and nested parts unite, whichever way
+/// each of them faces; positions are exact to 2^-18 voxels. Open parts and polygon soups are filled
+/// where the parities of lines in thirteen directions agree (Nooruddin & Turk, "Simplification and
+/// repair of polygonal models using volumetric techniques", 2003, sec. 4.1; lines with an odd
+/// number of crossings have met a hole and do not vote). Parts thinner than a voxel are kept as
+/// sheets and lines of one voxel, without adding anything where the inside shows already.
+///
+/// The result does not depend on the order of vertices, triangles or corners, nor on translation or
+/// uniform scale as far as the coordinates represent them exactly.
+/// Errors: mesh_empty, mesh_no_extent (all points coincide), solid_empty, invalid_argument (an
+/// option out of its range, coordinates that are not finite).
 Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options = {});
 
 }  // namespace ossuary

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "engine/voxel/bit_volume.h"
+#include "engine/voxel/grid_mesh.h"
+#include "engine/voxel/ray_columns.h"
+#include "engine/voxel/surface_parts.h"
+
+namespace ossuary {
+
+/// Sets the voxels whose centre is inside some closed part: its winding number is not 0, or odd
+/// where the part is closed by parity only.
+/// @param crossings  of the closed parts with the lines along axis 0
+void fill_inside(std::span<const Crossing> crossings, const SurfaceParts& parts, BitVolume& volume);
+
+/// Sets the voxels in which lines along an axis pass through the closed parts without meeting a
+/// voxel's centre: what sampling at centres loses of a part thinner than a voxel.
+/// @param crossings  of the closed parts with the lines along `axis`
+void mark_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
+                 const GridMesh& mesh, BitVolume& volume);
+
+/// Sets the voxels in which lines along an axis cross a surface.
+void mark_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
+                  BitVolume& volume);
+
+}  // namespace ossuary
