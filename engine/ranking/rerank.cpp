@@ -15,10 +15,15 @@ namespace {
 struct Neighborhood {
     std::size_t size = 0;
     std::size_t query = 0;
-    std::vector<double> distances;  // size x size
+    std::vector<double> distances;  // size x size, bounded
 
     [[nodiscard]] double at(std::size_t i, std::size_t j) const { return distances[i * size + j]; }
 };
+
+/// [0, infinity) to [0, 1), in order.
+double bounded(double distance) {
+    return std::isfinite(distance) ? distance / (1.0 + distance) : 1.0;
+}
 
 /// A sparse row of weights that sum to one, by ascending node.
 using Encoding = std::vector<std::pair<std::size_t, double>>;
@@ -49,13 +54,15 @@ Neighborhood gather(const std::vector<std::size_t>& head, const std::vector<doub
         const std::vector<double> row = collection(head[i], others);
         for (std::size_t n = 0; n < others.size(); ++n) {
             const std::size_t j = i + 1 + n;
-            all.distances[i * all.size + j] = row[n];
-            all.distances[j * all.size + i] = row[n];
+            const double d = bounded(row[n]);
+            all.distances[i * all.size + j] = d;
+            all.distances[j * all.size + i] = d;
         }
     });
     for (std::size_t i = 0; i < head.size(); ++i) {
-        all.distances[all.query * all.size + i] = distances[head[i]];
-        all.distances[i * all.size + all.query] = distances[head[i]];
+        const double d = bounded(distances[head[i]]);
+        all.distances[all.query * all.size + i] = d;
+        all.distances[i * all.size + all.query] = d;
     }
     return all;
 }
@@ -171,11 +178,6 @@ double jaccard_distance(const Encoding& a, const Encoding& b) {
         }
     }
     return std::max(0.0, 1.0 - common / (2.0 - common));
-}
-
-/// [0, infinity) to [0, 1), in order.
-double bounded(double distance) {
-    return std::isfinite(distance) ? distance / (1.0 + distance) : 1.0;
 }
 
 }  // namespace
