@@ -44,7 +44,8 @@ struct ExchangeCost {
 
 struct SkeletonMatchWorkspace::Buffers {
     std::optional<AlignmentCosts> costs;
-    std::vector<float> code_cost;  // of two pieces; negative = not yet known
+    BatchAligner aligner;
+    std::vector<float> code_cost;  // of each piece of a with each of b
     std::vector<float> exchange;
     std::vector<float> remove_a, remove_b;
     TreeEdit edit;
@@ -67,7 +68,7 @@ public:
         : a_(pair.a), b_(pair.b), options_(options), buffers_(buffers) {
         const AlignmentOptions wanted = alignment_options(options);
         if (!buffers.costs || !(buffers.costs->options() == wanted)) buffers.costs.emplace(wanted);
-        buffers.code_cost.assign(a_.pieces.size() * b_.pieces.size(), -1.0F);
+        align_pieces();
     }
 
     struct Best {
@@ -144,12 +145,20 @@ private:
         return {a.shape, b.shape, buffers_.remove_a, buffers_.remove_b, buffers_.exchange};
     }
 
-    float code_cost(std::uint32_t piece_a, std::uint32_t piece_b) {
-        float& known = buffers_.code_cost[piece_a * b_.pieces.size() + piece_b];
-        if (known < 0.0F) {
-            known = alignment_cost(a_.code(piece_a), b_.code(piece_b), *buffers_.costs);
+    /// The same for all pairings of roots: a piece is a branch walked one way.
+    void align_pieces() {
+        const std::size_t columns = b_.pieces.size();
+        const std::size_t needed = a_.pieces.size() * columns;
+        if (buffers_.code_cost.size() < needed) buffers_.code_cost.resize(needed);
+        buffers_.aligner.start(b_.batch, *buffers_.costs);
+        for (std::uint32_t piece = 0; piece < a_.pieces.size(); ++piece) {
+            buffers_.aligner.align(a_.code(piece),
+                                   {buffers_.code_cost.data() + piece * columns, columns});
         }
-        return known;
+    }
+
+    [[nodiscard]] float code_cost(std::uint32_t piece_a, std::uint32_t piece_b) const {
+        return buffers_.code_cost[piece_a * b_.pieces.size() + piece_b];
     }
 
     const RootedSkeletons& a_;

@@ -33,10 +33,11 @@ ResampledCurve resample(std::span<const Vec3> points, std::span<const double> ra
 }
 
 ResampledCurve resample_part(std::span<const float> coordinates, std::span<const float> radii,
-                             double from, double to) {
+                             double from, double to, int max_steps) {
     assert(coordinates.size() == 3 * radii.size() && radii.size() >= 2);
     const auto last = static_cast<double>(radii.size() - 1);
-    const int steps = std::max(1, static_cast<int>(std::round(last * std::abs(to - from))));
+    const int wanted = static_cast<int>(std::round(last * std::abs(to - from)));
+    const int steps = std::clamp(wanted, 1, max_steps);
     ResampledCurve curve;
     for (int k = 0; k <= steps; ++k) {
         const double at = std::clamp(last * (from + (to - from) * k / steps), 0.0, last);

@@ -21,10 +21,11 @@ struct ResampledCurve {
                                       double step, int max_samples);
 
 /// The part of an evenly spaced curve between two shares of its length, walked from `from` to `to`,
-/// at steps as near to the curve's own as possible. The whole curve comes back unchanged or
-/// reversed.
+/// at steps as near to the curve's own as possible and at most `max_steps` of them. The whole of a
+/// curve with no more steps comes back unchanged or reversed.
 /// @param coordinates  x y z of each point
 [[nodiscard]] ResampledCurve resample_part(std::span<const float> coordinates,
-                                           std::span<const float> radii, double from, double to);
+                                           std::span<const float> radii, double from, double to,
+                                           int max_steps);
 
 }  // namespace ossuary

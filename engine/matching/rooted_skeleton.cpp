@@ -115,7 +115,8 @@ public:
 private:
     void add(std::uint32_t index, double from, double to) {
         const SkeletonDescriptor::Branch& branch = descriptor_.branches[index];
-        const ResampledCurve curve = resample_part(branch.points, branch.radii, from, to);
+        const ResampledCurve curve = resample_part(branch.points, branch.radii, from, to,
+                                                   static_cast<int>(kMaxAlignedSteps));
         const std::vector<DirectionStep> code = direction_code(curve.points, curve.radii);
         RootedSkeletons::Piece piece;
         piece.branch = index;
@@ -266,6 +267,9 @@ RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor, const Rootin
         limit_size(gathered, static_cast<std::size_t>(options.max_pieces) + 1);
         rooted.trees.push_back(finish(std::move(gathered)));
     }
+    std::vector<std::span<const DirectionStep>> codes;
+    for (std::uint32_t i = 0; i < rooted.pieces.size(); ++i) codes.push_back(rooted.code(i));
+    rooted.batch = CodeBatch(codes);
     return rooted;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/chain_code/code_batch.h"
 #include "engine/chain_code/direction_code.h"
 #include "engine/matching/tree_shape.h"
 
@@ -42,6 +43,7 @@ struct RootedSkeletons {
     };
     std::vector<DirectionStep> steps;  ///< direction codes of all pieces, away from the root
     std::vector<Piece> pieces;
+    CodeBatch batch;                ///< the same codes, laid out for aligning one with all
     std::vector<RootedTree> trees;  ///< best root first; empty only for an empty skeleton
     std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of two skeletons
 

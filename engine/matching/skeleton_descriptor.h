@@ -39,7 +39,7 @@ struct SkeletonDescriptor {
 
 struct DescribeSkeletonOptions {
     double sample_step = 0.05;  ///< resampling step over the scale
-    int max_samples = 256;      ///< of one branch; longer branches get a longer step
+    int max_samples = 97;       ///< of one branch; longer branches get a longer step
 };
 
 /// @param refined  in VOXEL units of a grid whose longest side is the indexing resolution: the

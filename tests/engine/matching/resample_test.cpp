@@ -35,8 +35,8 @@ TEST(Resample, LengthensTheStepOfVeryLongCurves) {
 TEST(ResamplePart, GivesTheWholeCurveBackEitherWay) {
     const std::vector<float> xyz = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0};
     const std::vector<float> radii = {1, 2, 3, 4};
-    const ResampledCurve forward = resample_part(xyz, radii, 0.0, 1.0);
-    const ResampledCurve backward = resample_part(xyz, radii, 1.0, 0.0);
+    const ResampledCurve forward = resample_part(xyz, radii, 0.0, 1.0, 96);
+    const ResampledCurve backward = resample_part(xyz, radii, 1.0, 0.0, 96);
     EXPECT_EQ(forward.radii, radii);
     EXPECT_EQ(backward.radii, (std::vector<float>{4, 3, 2, 1}));
     EXPECT_EQ(backward.points.front(), Vec3f(3, 0, 0));
@@ -45,7 +45,7 @@ TEST(ResamplePart, GivesTheWholeCurveBackEitherWay) {
 TEST(ResamplePart, CutsAtTheShareOfTheLength) {
     const std::vector<float> xyz = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0};
     const std::vector<float> radii = {1, 1, 1, 1, 1};
-    const ResampledCurve part = resample_part(xyz, radii, 1.0, 0.375);
+    const ResampledCurve part = resample_part(xyz, radii, 1.0, 0.375, 96);
     EXPECT_EQ(part.points.front(), Vec3f(4, 0, 0));
     EXPECT_NEAR(part.points.back().x(), 1.5F, 1e-6F);
     EXPECT_NEAR(part.length, 2.5, 1e-6);
