@@ -1,9 +1,12 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "engine/core/geometry.h"
+#include "engine/core/result.h"
 #include "engine/skeleton/skeleton_graph.h"
+#include "engine/skeleton/smooth.h"
 
 namespace ossuary {
 
@@ -12,6 +15,9 @@ enum class PruningMethod {
     kSignificance,  ///< the thesis: eq. 3.3 against the mean significance (sec. 3.2.3)
     kNone,
 };
+
+[[nodiscard]] std::string_view to_string(PruningMethod method);
+Result<PruningMethod> parse_pruning_method(std::string_view name);
 
 /// Parameters of the seven refinement steps of sec. 3.2.4.
 struct RefineOptions {
@@ -23,6 +29,7 @@ struct RefineOptions {
     bool smooth = true;
     double presmooth_variance = 4.0;  ///< t of the pre-pass (points squared)
     double max_variance = 400.0;      ///< upper limit of the adaptive t_k of eq. 3.4
+    SmoothingScale smoothing_scale = SmoothingScale::kBendingSum;  ///< reading of t_k
 };
 
 struct RefinedSkeleton {
@@ -31,7 +38,8 @@ struct RefinedSkeleton {
 };
 
 /// The seven steps of sec. 3.2.4 on a skeleton in voxel units: decompose, significance (eq. 3.3),
-/// prune, re-decompose, bending (eq. 3.4), adaptive Gaussian (eq. 3.1-3.2).
+/// prune, re-decompose, bending (eq. 3.4), adaptive Gaussian (eq. 3.1-3.2). Both results carry
+/// degrees and significances; neither has lost a cycle or a component.
 /// @param surface  points of the model's surface in the same (grid) coordinates, for eq. 3.3
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
                        const RefineOptions& options = {});

@@ -29,7 +29,9 @@ struct Skeleton {
     StageTimes stage_times;  ///< voxelize, distance_transform, thin, refine
 };
 
-/// mesh → voxels → distance transform → thinning → graph → refinement (thesis sec. 3.2).
+/// mesh → voxels → distance transform → thinning → graph → refinement (thesis sec. 3.2). The
+/// surface of eq. 3.3 is the mesh's vertices, as in the thesis: a coarse mesh gives nodes large
+/// distances and so large significances.
 /// Errors: those of voxelize, and cancelled when `stop` is requested between stages.
 Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options = {},
                              std::stop_token stop = {});

@@ -1,0 +1,53 @@
+#include "engine/skeleton/skeletonize.h"
+
+#include "engine/skeleton/extract_graph.h"
+
+namespace ossuary {
+namespace {
+
+Error cancelled(const char* before) {
+    return {ErrorCode::kCancelled, std::string("skeletonize: stopped before ") + before};
+}
+
+/// The model's vertices in voxels of the grid: the surface of eq. 3.3.
+std::vector<Vec3> surface_points(const TriangleMesh& mesh, const WorldFromGrid& world_from_grid) {
+    std::vector<Vec3> points;
+    points.reserve(mesh.vertices.size());
+    for (const Vec3& vertex : mesh.vertices) points.push_back(world_from_grid.grid(vertex));
+    return points;
+}
+
+}  // namespace
+
+Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options,
+                             std::stop_token stop) {
+    Skeleton skeleton;
+    Stopwatch watch;
+    const auto finished = [&](const char* stage) {
+        skeleton.stage_times.push_back({stage, watch.lap_ms()});
+    };
+    if (stop.stop_requested()) return cancelled("voxelize");
+    Result<VoxelSolid> solid = voxelize(mesh, options.voxelize);
+    if (!solid) return solid.error();
+    skeleton.solid = *std::move(solid);
+    finished("voxelize");
+
+    if (stop.stop_requested()) return cancelled("distance_transform");
+    skeleton.distance = distance_transform(skeleton.solid.volume);
+    finished("distance_transform");
+
+    if (stop.stop_requested()) return cancelled("thin");
+    skeleton.thinned_volume = thin(skeleton.solid.volume, skeleton.distance, options.thinning);
+    finished("thin");
+
+    if (stop.stop_requested()) return cancelled("refine");
+    skeleton.thinned = extract_graph(skeleton.thinned_volume, skeleton.distance);
+    const std::vector<Vec3> surface = surface_points(mesh, skeleton.solid.world_from_grid);
+    RefinedSkeleton refined = refine(skeleton.thinned, surface, options.refine);
+    skeleton.pruned = std::move(refined.pruned);
+    skeleton.refined = std::move(refined.refined);
+    finished("refine");
+    return skeleton;
+}
+
+}  // namespace ossuary
