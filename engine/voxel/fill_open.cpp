@@ -1,6 +1,7 @@
 #include "engine/voxel/fill_open.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include "engine/voxel/ray_columns.h"
@@ -12,7 +13,12 @@ namespace {
 class Ballot {
 public:
     Ballot(const Vec3i& low, const Vec3i& high)
-        : low_(low), size_(high - low), inside_(voxel_count(), 0), silent_(voxel_count(), 0) {}
+        : low_(low),
+          size_(high - low),
+          inside_(voxel_count(), 0),
+          silent_(voxel_count(), 0),
+          blocked_(voxel_count(), 0),
+          verdict_(voxel_count(), 0) {}
 
     /// Takes the vote of one line with its crossings.
     void cast(const LineDirection& direction, std::span<const Crossing> line) {
@@ -30,24 +36,75 @@ public:
         }
     }
 
-    /// Sets the voxels that a majority of the lines finds inside.
-    void count(BitVolume& volume) const {
-        std::size_t i = 0;
-        for (int z = 0; z < size_.z(); ++z) {
-            for (int y = 0; y < size_.y(); ++y) {
-                for (int x = 0; x < size_.x(); ++x, ++i) {
-                    constexpr int kLines = static_cast<int>(kThirteenDirections.size());
-                    const int outside = kLines - inside_[i] - silent_[i];
-                    if (inside_[i] >= kMinVotes && inside_[i] > outside) {
-                        volume.set(low_ + Vec3i(x, y, z));
-                    }
-                }
-            }
+    /// Sets the voxels that are inside.
+    void count(BitVolume& volume) {
+        decide();
+        spread();
+        for (std::size_t i = 0; i < verdict_.size(); ++i) {
+            if (verdict_[i] == kInside) volume.set(low_ + voxel(i));
+        }
+    }
+
+    /// Between voxels k - 1 and k along an axis there is a surface.
+    void block(int axis, Vec3i v) {
+        v -= low_;
+        if ((v.array() >= 0).all() && (v.array() < size_.array()).all()) {
+            blocked_[index(v)] |= static_cast<std::uint8_t>(1 << axis);
         }
     }
 
 private:
-    static constexpr int kMinVotes = 2;
+    enum Verdict : std::uint8_t { kUndecided, kInside, kOutside };
+    static int kMargin;
+
+    void decide() {
+        constexpr int kLines = static_cast<int>(kThirteenDirections.size());
+        for (std::size_t i = 0; i < verdict_.size(); ++i) {
+            const int lead = 2 * inside_[i] + silent_[i] - kLines;  // inside less outside
+            if (lead >= kMargin) verdict_[i] = kInside;
+            if (lead <= -kMargin) verdict_[i] = kOutside;
+        }
+    }
+
+    /// The undecided take the verdict of the nearest decided voxel that no surface hides, by steps
+    /// through faces; where both arrive at once, outside.
+    void spread() {
+        std::vector<std::uint32_t> front, next;
+        for (std::size_t i = 0; i < verdict_.size(); ++i) {
+            if (verdict_[i] != kUndecided) front.push_back(static_cast<std::uint32_t>(i));
+        }
+        const std::ptrdiff_t stride[3] = {1, size_.x(),
+                                          static_cast<std::ptrdiff_t>(size_.x()) * size_.y()};
+        std::vector<std::uint8_t> pending(verdict_.size(), kUndecided);
+        while (!front.empty()) {
+            next.clear();
+            for (const std::uint32_t i : front) {
+                const Vec3i v = voxel(i);
+                for (int axis = 0; axis < 3; ++axis) {
+                    for (const int sign : {-1, 1}) {
+                        const int k = v[axis] + sign;
+                        if (k < 0 || k >= size_[axis]) continue;
+                        const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) +
+                                                                sign * stride[axis]);
+                        if (verdict_[j] != kUndecided) continue;
+                        if ((blocked_[sign > 0 ? j : i] >> axis & 1) != 0) continue;
+                        if (pending[j] == kUndecided) next.push_back(static_cast<std::uint32_t>(j));
+                        pending[j] = std::max(pending[j], verdict_[i]);
+                    }
+                }
+            }
+            for (const std::uint32_t j : next) verdict_[j] = pending[j];
+            std::swap(front, next);
+        }
+    }
+
+    [[nodiscard]] Vec3i voxel(std::size_t i) const {
+        const int n = static_cast<int>(i);
+        return {n % size_.x(), n / size_.x() % size_.y(), n / size_.x() / size_.y()};
+    }
+    [[nodiscard]] std::size_t index(const Vec3i& v) const {
+        return static_cast<std::size_t>(v.x() + size_.x() * (v.y() + size_.y() * v.z()));
+    }
 
     [[nodiscard]] std::size_t voxel_count() const {
         return static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
@@ -90,9 +147,10 @@ private:
     }
 
     Vec3i low_, size_;
-    std::vector<std::uint8_t> inside_, silent_;
+    std::vector<std::uint8_t> inside_, silent_, blocked_, verdict_;
 };
 
+int Ballot::kMargin = getenv("M") ? atoi(getenv("M")) : 1;
 void vote(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
           const SurfaceParts& parts, BitVolume& volume) {
     Vec3i low = mesh.high, high = mesh.low;

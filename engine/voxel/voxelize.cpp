@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/voxel/betti.h"
+#include "engine/voxel/close_tunnels.h"
 #include "engine/voxel/components.h"
 #include "engine/voxel/fill_closed.h"
 #include "engine/voxel/fill_open.h"
@@ -48,6 +50,47 @@ void fill(const GridMesh& mesh, const SurfaceParts& parts, VoxelSolid& solid) {
     warn(solid, "thin_parts", added, " voxels keep parts thinner than a voxel");
 }
 
+/// The handles of a mesh that is one closed manifold surface; none of any other.
+std::int64_t known_handles(const GridMesh& mesh, const SurfaceParts& parts) {
+    if (parts.count() != 1 || parts.kinds[0] != SurfaceParts::Kind::kOriented) return 0;
+    // Each edge belongs to two triangles: V - E + F = V - F / 2 = 2 - 2 * handles.
+    return 1 - (static_cast<std::int64_t>(mesh.points.size()) -
+                static_cast<std::int64_t>(mesh.triangles.size() / 2)) /
+                   2;
+}
+
+void fill_all_cavities(VoxelSolid& solid, FilledCavities& filled) {
+    const FilledCavities more = fill_cavities(solid.volume);
+    filled.cavities += more.cavities;
+    filled.voxels += more.voxels;
+}
+
+/// Removes what is an artefact of the grid or of a careless model.
+void tidy(const GridMesh& mesh, const SurfaceParts& parts, const VoxelizeOptions& options,
+          VoxelSolid& solid) {
+    FilledCavities filled;
+    if (options.fill_cavities) fill_all_cavities(solid, filled);
+    const JoinedComponents joined =
+        join_components(solid.volume, {options.bridge_gap, options.min_component_extent});
+    std::size_t closed = 0;
+    if (options.close_small_tunnels) {
+        // Components less tunnels; cavities, where they stay, count like missing tunnels.
+        const auto handles =
+            static_cast<std::int64_t>(joined.remaining) - euler_characteristic(solid.volume);
+        if (handles > known_handles(mesh, parts)) closed = close_small_tunnels(solid.volume);
+        if (closed > 0 && options.fill_cavities) fill_all_cavities(solid, filled);
+    }
+    warn(solid, "filled_cavities", filled.cavities,
+         " cavities filled, of " + std::to_string(filled.voxels) + " voxels");
+    warn(solid, "closed_tunnels", closed,
+         " places closed where tunnels were too narrow to be real");
+    warn(solid, "bridged_components", joined.bridged, " gaps between components bridged");
+    warn(solid, "dropped_components", joined.dropped,
+         " small components dropped, of " + std::to_string(joined.dropped_voxels) + " voxels");
+    warn(solid, "several_components", joined.remaining > 1 ? joined.remaining : 0,
+         " separate components remain");
+}
+
 }  // namespace
 
 Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options) {
@@ -64,18 +107,7 @@ Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& opt
     solid.world_from_grid = grid->world_from_grid;
     fill(*grid, parts, solid);
 
-    if (options.fill_cavities) {
-        const FilledCavities filled = fill_cavities(solid.volume);
-        warn(solid, "filled_cavities", filled.cavities,
-             " cavities filled, of " + std::to_string(filled.voxels) + " voxels");
-    }
-    const JoinedComponents joined =
-        join_components(solid.volume, {options.bridge_gap, options.min_component_extent});
-    warn(solid, "bridged_components", joined.bridged, " gaps between components bridged");
-    warn(solid, "dropped_components", joined.dropped,
-         " small components dropped, of " + std::to_string(joined.dropped_voxels) + " voxels");
-    warn(solid, "several_components", joined.remaining > 1 ? joined.remaining : 0,
-         " separate components remain");
+    tidy(*grid, parts, options, solid);
     if (solid.volume.count() == 0) {
         return {ErrorCode::kSolidEmpty, "no voxel is inside or on the surface"};
     }

@@ -15,6 +15,9 @@ struct VoxelizeOptions {
     /// The bounding box is that of the pose.
     Mat3 rotation = Mat3::Identity();
     bool fill_cavities = true;  ///< set what cannot be reached from outside through faces
+    /// Close tunnels that are at most about two voxels wide, unless the model is one closed surface
+    /// of at least as many handles: what voxelization makes of parts that nearly touch.
+    bool close_small_tunnels = true;
     /// Join components that are at most this many empty voxels apart by a line of voxels; 0 to 4.
     int bridge_gap = 2;
     /// Components that could not be joined and whose longest side is below this share of the
@@ -27,8 +30,8 @@ struct VoxelSolid {
     BitVolume volume;  ///< two empty layers on every side
     WorldFromGrid world_from_grid;
     /// Codes: open_surface, repeated_triangles, thin_parts (voxels that keep parts thinner than a
-    /// voxel), filled_cavities, bridged_components, dropped_components, several_components; each
-    /// with its count.
+    /// voxel), filled_cavities, closed_tunnels, bridged_components, dropped_components,
+    /// several_components; each with its count.
     std::vector<MeshWarning> warnings;
     /// How the inside was found: `winding` (all parts closed: exact), `winding+voting` (some parts
     /// open), `voting` (all parts open), `surface` (nothing is enclosed: sheets and wires only).
