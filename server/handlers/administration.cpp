@@ -1,0 +1,72 @@
+#include <nlohmann/json.hpp>
+
+#include "engine/mesh/read_mesh.h"
+#include "server/handlers/handlers.h"
+#include "server/parameters.h"
+
+namespace ossuary::server {
+
+std::optional<Problem> check_add_model(const Service&, const RequestHead& head) {
+    ParameterReader reader(head);
+    reader.text("name");
+    reader.text("class");
+    if (auto fault = reader.finish()) return fault;
+    return judge_media_type(head);
+}
+
+Checked<Response> add_model(Service& service, const Request& request) {
+    const auto upload = read_upload(request);
+    if (!upload) return tl::unexpected<Problem>(upload.error());
+    // A file that cannot be read is refused here and now rather than in a job later.
+    ReadMeshOptions caps;
+    caps.max_bytes = service.options.http.max_body;
+    const auto mesh = read_mesh(upload->bytes, upload->name, caps);
+    if (!mesh) return fail(mesh.error());
+
+    const std::string* class_name = find_field(request.head.parameters, "class");
+    const auto job = service.jobs->add({std::string(upload->bytes), upload->name,
+                                        class_name == nullptr ? std::string() : *class_name});
+    if (!job) return fail(RequestFault::kOverloaded, "Too many models wait to be indexed.");
+    const std::string location = "/v1/jobs/" + std::to_string(*job);
+    Response response = json_answer({{"job", location}});
+    response.status = 202;
+    response.set_header("Location", location);
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
+
+Checked<Response> remove_model(Service& service, const Request& request) {
+    if (auto fault = refuse_parameters(request.head)) {
+        return tl::unexpected<Problem>(*std::move(fault));
+    }
+    const auto id = parse_id(request.capture, "model");
+    if (!id) return tl::unexpected<Problem>(id.error());
+    if (const auto removed = service.jobs->remove(*id); !removed) return fail(removed.error());
+    Response response;
+    response.status = 204;
+    return response;
+}
+
+Checked<Response> get_job(Service& service, const Request& request) {
+    if (auto fault = refuse_parameters(request.head)) {
+        return tl::unexpected<Problem>(*std::move(fault));
+    }
+    const auto id = parse_id(request.capture, "job");
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto job = service.jobs ? service.jobs->find(*id) : std::nullopt;
+    if (!job) {
+        return fail(RequestFault::kJobNotFound, "There is no job " + request.capture + ".");
+    }
+    nlohmann::json json = {
+        {"id", job->id}, {"state", to_string(job->state)}, {"model", nullptr}, {"error", nullptr}};
+    if (job->state == JobState::kDone) json["model"] = job->model;
+    if (job->error) {
+        const Problem told = problem(*job->error);
+        json["error"] = {{"code", told.row.code}, {"message", told.detail}};
+    }
+    Response response = json_answer(json);
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
+
+}  // namespace ossuary::server

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/message.h"
+#include "server/request_head.h"
+#include "server/service.h"
+
+namespace ossuary::server {
+
+// Each handler parses a request and answers it; what it takes lives in the index. One group of
+// routes a file; `check_…` judges parameters before a body is read.
+
+std::optional<Problem> check_search(const Service& service, const RequestHead& head);
+Checked<Response> search(Service& service, const Request& request);
+Checked<Response> similar(Service& service, const Request& request);
+Checked<Response> compare(Service& service, const Request& request);
+
+Checked<Response> list_models(Service& service, const Request& request);
+Checked<Response> get_model(Service& service, const Request& request);
+Checked<Response> model_mesh(Service& service, const Request& request);
+Checked<Response> model_skeleton(Service& service, const Request& request);
+Checked<Response> model_segments(Service& service, const Request& request);
+Checked<Response> model_thumbnail(Service& service, const Request& request);
+
+Checked<Response> list_evaluations(Service& service, const Request& request);
+Checked<Response> evaluation_json(Service& service, const Request& request);
+Checked<Response> evaluation_csv(Service& service, const Request& request);
+Checked<Response> evaluation_svg(Service& service, const Request& request);
+
+std::optional<Problem> check_add_model(const Service& service, const RequestHead& head);
+Checked<Response> add_model(Service& service, const Request& request);
+Checked<Response> remove_model(Service& service, const Request& request);
+Checked<Response> get_job(Service& service, const Request& request);
+
+Checked<Response> live(Service& service, const Request& request);
+Checked<Response> ready(Service& service, const Request& request);
+Checked<Response> metrics(Service& service, const Request& request);
+Checked<Response> describe_interface(Service& service, const Request& request);
+
+// What several of them need.
+
+/// `error` on its way to the client.
+[[nodiscard]] tl::unexpected<Problem> fail(const Error& error);
+[[nodiscard]] tl::unexpected<Problem> fail(RequestFault fault, std::string detail,
+                                           std::string parameter = {});
+
+/// 200 with JSON. Names from file systems may hold bytes that are not UTF-8; they become U+FFFD.
+[[nodiscard]] Response json_answer(const nlohmann::json& json);
+
+/// Where the parts of a model are.
+[[nodiscard]] nlohmann::json model_links(index::ModelId id);
+
+/// Refuses every parameter of a request that takes none.
+[[nodiscard]] std::optional<Problem> refuse_parameters(const RequestHead& head);
+
+/// A model that was uploaded raw or as the form's field `model`.
+struct Upload {
+    std::string_view bytes;
+    std::string
+        name;  ///< the parameter `name`, else the form's file name without ending, or upload
+};
+Checked<Upload> read_upload(const Request& request);
+
+/// None when the content type is one that `read_upload` takes.
+[[nodiscard]] std::optional<Problem> judge_media_type(const RequestHead& head);
+
+/// Waits for a slot for heavy work.
+Checked<Slots::Hold> wait_for_slot(Service& service, const Request& request);
+
+}  // namespace ossuary::server

@@ -1,0 +1,61 @@
+#include <nlohmann/json.hpp>
+
+#include "index/presentation.h"
+#include "server/etag.h"
+#include "server/handlers/handlers.h"
+#include "server/parameters.h"
+
+namespace ossuary::server {
+namespace {
+
+/// The model's id from the path of a request that takes no parameters.
+Checked<index::ModelId> only_id(const Request& request) {
+    if (auto fault = refuse_parameters(request.head)) {
+        return tl::unexpected<Problem>(*std::move(fault));
+    }
+    return parse_id(request.capture, "model");
+}
+
+}  // namespace
+
+Checked<Response> model_mesh(Service& service, const Request& request) {
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    const auto mesh = service.searcher.store().preview(*id);
+    if (!mesh) return fail(mesh.error());
+    return conditional(request.head, json_answer(index::to_json(*mesh, model->bounds)));
+}
+
+Checked<Response> model_skeleton(Service& service, const Request& request) {
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto skeleton = service.searcher.store().skeleton(*id);
+    if (!skeleton) return fail(skeleton.error());
+    return conditional(request.head, json_answer(index::to_json(*skeleton)));
+}
+
+Checked<Response> model_segments(Service& service, const Request& request) {
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    return fail(RequestFault::kSegmentsNotAvailable,
+                "The index does not hold the parts of model " + request.capture + ".");
+}
+
+Checked<Response> model_thumbnail(Service& service, const Request& request) {
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto picture = service.searcher.store().thumbnail(*id);
+    if (!picture) return fail(picture.error());
+    if (picture->empty()) {
+        return fail(RequestFault::kThumbnailNotAvailable,
+                    "The index holds no picture of model " + request.capture + ".");
+    }
+    return conditional(request.head,
+                       answer("image/png", std::string(picture->begin(), picture->end())));
+}
+
+}  // namespace ossuary::server

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/stopwatch.h"
+#include "engine/mesh/decimate.h"
+#include "engine/mesh/read_mesh.h"
+#include "index/presentation.h"
+#include "server/handlers/handlers.h"
+#include "server/parameters.h"
+
+namespace ossuary::server {
+namespace {
+
+struct SearchParameters {
+    index::SearchOptions options;
+    bool with_mesh = false;
+    std::optional<Problem> fault;
+};
+
+SearchParameters read_search_parameters(const RequestHead& head) {
+    SearchParameters parameters;
+    ParameterReader reader(head);
+    parameters.options = read_search_options(reader);
+    parameters.with_mesh = reader.choice("include", {"mesh"}).has_value();
+    reader.text("name");
+    parameters.fault = reader.finish();
+    return parameters;
+}
+
+nlohmann::json preview_of(const TriangleMesh& mesh) {
+    const TriangleMesh coarse = decimate(mesh);
+    index::PreviewMesh preview;
+    Box3 bounds;
+    for (const Vec3& vertex : mesh.vertices) bounds.extend(vertex);
+    for (const Vec3& vertex : coarse.vertices) {
+        for (int axis = 0; axis < 3; ++axis) {
+            preview.positions.push_back(static_cast<float>(vertex[axis]));
+        }
+    }
+    for (const auto& triangle : coarse.triangles) {
+        preview.triangles.insert(preview.triangles.end(), triangle.begin(), triangle.end());
+    }
+    return index::to_json(preview, bounds);
+}
+
+}  // namespace
+
+std::optional<Problem> check_search(const Service&, const RequestHead& head) {
+    if (auto fault = read_search_parameters(head).fault) return fault;
+    return judge_media_type(head);
+}
+
+Checked<Response> search(Service& service, const Request& request) {
+    const SearchParameters parameters = read_search_parameters(request.head);
+    const auto upload = read_upload(request);
+    if (!upload) return tl::unexpected<Problem>(upload.error());
+    const auto slot = wait_for_slot(service, request);
+    if (!slot) return tl::unexpected<Problem>(slot.error());
+
+    Stopwatch watch;
+    ReadMeshOptions caps;
+    caps.max_bytes = service.options.http.max_body;
+    const auto query = read_mesh(upload->bytes, upload->name, caps);
+    if (!query) return fail(query.error());
+    const double read_ms = watch.lap_ms();
+    auto result = service.searcher.search(query->mesh, parameters.options, request.stop);
+    if (!result) return fail(result.error());
+
+    result->took_ms += read_ms;
+    result->stages_ms.insert(result->stages_ms.begin(), {"read", read_ms});
+    // What the file itself is odd about comes before what the stages found.
+    result->warnings.insert(result->warnings.begin(), query->warnings.begin(),
+                            query->warnings.end());
+    service.metrics.search(result->stages_ms);
+    auto json =
+        index::to_json(*result, {upload->name, query->mesh.vertices.size(), query->mesh.face_count},
+                       parameters.options.rank);
+    if (parameters.with_mesh) json["query"]["mesh"] = preview_of(query->mesh);
+    Response response = json_answer(json);
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
+
+}  // namespace ossuary::server

@@ -1,0 +1,43 @@
+#include <nlohmann/json.hpp>
+
+#include "index/presentation.h"
+#include "server/etag.h"
+#include "server/handlers/handlers.h"
+#include "server/parameters.h"
+
+namespace ossuary::server {
+
+Checked<Response> similar(Service& service, const Request& request) {
+    const auto id = parse_id(request.capture, "model");
+    if (!id) return tl::unexpected<Problem>(id.error());
+    ParameterReader reader(request.head);
+    const index::SearchOptions options = read_search_options(reader);
+    if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
+
+    const auto snapshot = service.searcher.snapshot();
+    if (!snapshot) return fail(snapshot.error());
+    const auto position = (*snapshot)->find(*id);
+    if (!position) {
+        return fail({ErrorCode::kModelNotFound, "There is no model " + request.capture + "."});
+    }
+    // The answer says how long it took, so its own bytes make no tag; what it depends on does.
+    std::string key =
+        service.instance + ' ' + std::to_string((*snapshot)->revision()) + ' ' + request.head.path;
+    for (const Field& field : request.head.parameters) {
+        key += '\n' + field.name + '=' + field.value;
+    }
+    std::string etag = etag_of(key);
+    if (is_current(request.head, etag)) return not_modified(std::move(etag));
+
+    const auto slot = wait_for_slot(service, request);
+    if (!slot) return tl::unexpected<Problem>(slot.error());
+    const auto result = service.searcher.similar(*id, options);
+    if (!result) return fail(result.error());
+    const index::ModelSummary& model = (*snapshot)->models()[*position];
+    return conditional(request.head,
+                       json_answer(index::to_json(
+                           *result, {model.name, model.vertices, model.faces}, options.rank)),
+                       std::move(etag));
+}
+
+}  // namespace ossuary::server

@@ -1,0 +1,101 @@
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <future>
+#include <iostream>
+#include <thread>
+
+#include "server/application.h"
+#include "server/options.h"
+#include "server/server.h"
+
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kNotAnIndex = 4;
+
+int exit_status_for(ossuary::ErrorCode code) {
+    using enum ossuary::ErrorCode;
+    switch (code) {
+        case kIndexNotFound:
+        case kIndexForeign:
+        case kIndexNewer:
+        case kIndexCorrupt:
+        case kIndexParameters:
+            return kNotAnIndex;
+        default:
+            return kFailed;
+    }
+}
+
+/// Blocks SIGINT and SIGTERM for this thread and those that it will start, so that `sigwait` gets
+/// them. SIGPIPE is no news: writes report it themselves.
+sigset_t block_signals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+    return signals;
+}
+
+std::string address(const ossuary::server::ServerOptions& options, int port) {
+    const bool v6 = options.host.find(':') != std::string::npos;
+    return "http://" + (v6 ? "[" + options.host + "]" : options.host) + ":" + std::to_string(port);
+}
+
+/// Runs until a signal, then lets what is under way finish, then cancels it, then leaves.
+int serve(ossuary::server::Server& server, const ossuary::server::ServerOptions& options,
+          const sigset_t& signals) {
+    std::promise<ossuary::Result<void>> outcome;
+    std::future<ossuary::Result<void>> ended = outcome.get_future();
+    std::thread runner([&] {
+        outcome.set_value(server.run());
+        // Wakes the wait below when the server ends by itself.
+        kill(getpid(), SIGTERM);
+    });
+    std::cout << "listening on " << address(options, server.port()) << std::endl;
+    int received = 0;
+    sigwait(&signals, &received);
+    server.stop();
+    if (ended.wait_for(options.drain_timeout) != std::future_status::ready) {
+        server.cancel();
+        constexpr auto kLastGrace = std::chrono::seconds(5);
+        if (ended.wait_for(kLastGrace) != std::future_status::ready) {
+            std::cerr << "ossuary-server: requests did not end in time, leaving them\n";
+            std::_Exit(kFailed);
+        }
+    }
+    runner.join();
+    const auto result = ended.get();
+    if (result) return 0;
+    std::cerr << "ossuary-server: " << to_string(result.error().code) << ": "
+              << result.error().message << '\n';
+    return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace ossuary::server;
+    ParsedOptions parsed = parse_options(argc, argv);
+    if (!parsed.run) return parsed.exit_status;
+    ServerOptions& options = parsed.options;
+    if (options.web.empty()) {
+        std::error_code ignored;
+        options.web = find_web_folder(std::filesystem::read_symlink("/proc/self/exe", ignored));
+    }
+    const sigset_t signals = block_signals();
+    auto server = Server::open(options);
+    if (!server) {
+        std::cerr << "ossuary-server: " << to_string(server.error().code) << ": "
+                  << server.error().message << '\n';
+        return exit_status_for(server.error().code);
+    }
+    if (!is_loopback(options.host)) {
+        std::cerr << "ossuary-server: warning: " << options.host
+                  << " can be reached from other machines\n";
+    }
+    return serve(**server, options, signals);
+}

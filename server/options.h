@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "server/http.h"
+#include "server/log.h"
+
+namespace ossuary::server {
+
+/// What the command line says.
+struct ServerOptions {
+    std::filesystem::path index;
+    std::string host = "127.0.0.1";
+    int port = 8080;
+    std::filesystem::path web;               ///< empty: looked for beside the program
+    std::vector<std::string> allowed_hosts;  ///< besides the loopback names
+    std::filesystem::path admin_key_file;
+    HttpOptions http;
+    std::size_t searches = 0;              ///< at once; 0 = one for each hardware thread
+    std::size_t searches_waiting = 32;     ///< more are turned away
+    std::size_t evaluation_models = 1500;  ///< larger collections are not evaluated on request
+    std::chrono::seconds drain_timeout{30};
+    LogOptions log;
+};
+
+/// What `parse_options` found: options to run with, or an exit status after having printed why.
+struct ParsedOptions {
+    ServerOptions options;
+    bool run = false;
+    int exit_status = 0;
+};
+
+ParsedOptions parse_options(int argc, const char* const* argv);
+
+/// Where the gallery's built files are when the command line does not say: `web/dist` in a folder
+/// above the program's, else /usr/share/ossuary/web; empty where there are none.
+[[nodiscard]] std::filesystem::path find_web_folder(const std::filesystem::path& program);
+
+}  // namespace ossuary::server

@@ -1,0 +1,99 @@
+#include "server/server.h"
+
+#include <random>
+#include <thread>
+
+#include "engine/core/parallel.h"
+#include "server/application.h"
+#include "server/auth.h"
+#include "server/service.h"
+
+namespace ossuary::server {
+namespace {
+
+std::string random_word() {
+    std::random_device random;
+    return std::to_string(random()) + "-" + std::to_string(random());
+}
+
+}  // namespace
+
+/// In the order of construction; what requests use outlives the HTTP server.
+struct Server::Parts {
+    Parts(const ServerOptions& chosen, index::Searcher opened, StaticFiles gallery)
+        : options(chosen),
+          log(options.log),
+          searcher(std::move(opened)),
+          files(std::move(gallery)),
+          slots(static_cast<std::size_t>(resolve_jobs(static_cast<int>(options.searches))),
+                options.searches_waiting),
+          evaluations(options.index, options.evaluation_models, log),
+          service{options,     log,   metrics,       searcher, slots,
+                  evaluations, files, std::string(), nullptr,  random_word()},
+          application(service),
+          http(options.http, application) {}
+
+    const ServerOptions options;
+    Log log;
+    Metrics metrics;
+    index::Searcher searcher;
+    const StaticFiles files;
+    Slots slots;
+    Evaluations evaluations;
+    Service service;
+    Application application;
+    HttpServer http;
+    int port = 0;
+};
+
+Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+Server::~Server() = default;
+
+Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
+    auto key = read_admin_key(options.admin_key_file);
+    if (!key) return key.error();
+    auto searcher = index::Searcher::open(options.index);
+    if (!searcher) return searcher.error();
+    StaticFiles files;
+    if (!options.web.empty()) {
+        auto loaded = StaticFiles::load(options.web);
+        if (!loaded) return loaded.error();
+        files = *std::move(loaded);
+    }
+    // Loaded now, so that the first search does not wait for it and a damaged index shows here.
+    const auto snapshot = searcher->snapshot();
+    if (!snapshot) return snapshot.error();
+
+    auto parts = std::make_unique<Parts>(options, *std::move(searcher), std::move(files));
+    Log& log = parts->log;
+    log.info(options.index.string() + ": " + std::to_string((*snapshot)->size()) +
+             " models, revision " + std::to_string((*snapshot)->revision()));
+    if (parts->files.size() == 0) log.warn("no gallery: its built files were not found (--web)");
+    if (!key->empty()) {
+        auto store = index::Store::open(options.index, index::Access::kReadWrite);
+        if (!store) return store.error();
+        Jobs::Limits limits;
+        limits.waiting_bytes = options.http.max_bodies;
+        parts->service.admin_key = *std::move(key);
+        parts->service.jobs =
+            std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics);
+    }
+    auto port = parts->http.bind(options.host, options.port);
+    if (!port) return port.error();
+    parts->port = *port;
+    return std::unique_ptr<Server>(new Server(std::move(parts)));
+}
+
+int Server::port() const { return parts_->port; }
+
+Result<void> Server::run() { return parts_->http.run(); }
+
+void Server::stop() {
+    parts_->service.draining = true;
+    parts_->http.stop();
+}
+
+void Server::cancel() { parts_->http.cancel(); }
+
+}  // namespace ossuary::server

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "index/searcher.h"
+#include "server/evaluations.h"
+#include "server/jobs.h"
+#include "server/log.h"
+#include "server/metrics.h"
+#include "server/options.h"
+#include "server/slots.h"
+#include "server/static_files.h"
+
+namespace ossuary::server {
+
+/// What handlers work with. Made once, in `main`, and outlives every request.
+struct Service {
+    const ServerOptions& options;
+    Log& log;
+    Metrics& metrics;
+    index::Searcher& searcher;
+    Slots& slots;  ///< for whatever keeps a processor busy
+    Evaluations& evaluations;
+    const StaticFiles& files;
+    std::string admin_key;       ///< empty where administration is off
+    std::unique_ptr<Jobs> jobs;  ///< none where administration is off
+    std::string instance;        ///< differs at each start; part of some entity tags
+    std::atomic<bool> draining = false;
+};
+
+}  // namespace ossuary::server
