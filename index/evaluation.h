@@ -31,13 +31,15 @@ struct Evaluation {
     DistanceMatrix distances;         ///< empty when the report came from the cache
     std::vector<ModelId> order;       ///< of rows and columns
     std::vector<std::string> labels;  ///< class of each row
+    /// What the classification names and the index does not have.
+    std::vector<std::string> missing;
     Revision revision = 0;
     std::string computed_at;  ///< ISO 8601, UTC
 };
 
 /// Leave-one-out retrieval quality over a snapshot; a function of the snapshot and the options.
-/// Errors: cla_unknown_model when the classification names a model that is not in the index,
-/// invalid_argument when fewer than two models of one class remain.
+/// Errors: cla_unknown_model when the index has none of the classification's models,
+/// invalid_argument when an id may stand for several of them or no class has two models.
 Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options = {});
 
 /// The same, from the store's cache when it has it; computed and kept there (if the store is

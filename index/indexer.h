@@ -23,9 +23,11 @@ struct IndexOptions {
     int jobs = 0;                           ///< models described at once; 0 = hardware threads
     bool prune = false;         ///< remove the models under `paths` whose files are gone
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
-    double model_timeout_seconds = 600.0;  ///< a model may take this long; 0 = for ever
-    std::size_t batch_models = 8;          ///< changes a transaction; fixed, so that revisions do
-                                           ///< not depend on time
+    /// A model that takes longer is recorded as `cancelled` (seen between the stages of its
+    /// description); 0 = for ever.
+    double model_timeout_seconds = 600.0;
+    std::size_t batch_models = 8;  ///< changes a transaction; fixed, so that revisions do
+                                   ///< not depend on time
 };
 
 /// How far indexing has come.
@@ -52,8 +54,8 @@ public:
 
 struct IndexOutcome {
     std::size_t files = 0;           ///< found under `paths`
-    std::size_t indexed = 0;         ///< described now, or copied from a model with the same bytes
-    std::size_t moved = 0;           ///< same bytes, new path
+    std::size_t indexed = 0;         ///< described now
+    std::size_t moved = 0;           ///< same bytes, new path, old file gone
     std::size_t unchanged = 0;       ///< skipped, already in the index
     std::size_t failed = 0;          ///< failed now
     std::size_t known_failures = 0;  ///< skipped, failed before with the same bytes
@@ -78,7 +80,8 @@ struct UploadedModel {
     std::string class_name;
 };
 
-/// Adds one model; the same bytes again give the same id. Statistics are brought up to date.
+/// Adds one model; the same bytes uploaded again give the same id. Statistics are made if there are
+/// none; rankers judge a model that they do not know by its own distances.
 /// Errors: those of read_mesh and describe (nothing is recorded), those of the store.
 Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
 

@@ -89,6 +89,13 @@ public:
 
 private:
     struct Impl;
+    struct Consistent {
+        std::shared_ptr<const Snapshot> snapshot;
+        std::vector<StoredSkeleton> skeletons;
+    };
+    /// A snapshot together with the skeletons of some of its models. Errors: model_not_found.
+    Result<Consistent> consistent(const std::vector<ModelId>& ids);
+
     explicit Searcher(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

@@ -10,7 +10,7 @@ Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snaps
                                            : std::span<const KnownModel>());
     if (!contents) return contents.error();
     std::shared_ptr<Snapshot> snapshot(new Snapshot());
-    snapshot->revision_ = contents->revision;
+    snapshot->state_ = contents->state;
     snapshot->models_.reserve(contents->models.size());
     for (StoreContents::Model& model : contents->models) {
         if (model.summary) {

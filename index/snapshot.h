@@ -21,12 +21,14 @@ public:
     static Result<std::shared_ptr<const Snapshot>> load(Store& store,
                                                         const Snapshot* previous = nullptr);
 
-    [[nodiscard]] Revision revision() const { return revision_; }
+    [[nodiscard]] Revision revision() const { return state_.models; }
+    [[nodiscard]] const CollectionState& state() const { return state_; }
     [[nodiscard]] std::size_t size() const { return models_.size(); }
     /// In the order of their ids.
     [[nodiscard]] const std::vector<ModelSummary>& models() const { return models_; }
     /// As long as `models()`, in the same order.
     [[nodiscard]] DescriptorSpan descriptors() const { return descriptor_pointers_; }
+    /// Empty in an index that has none yet; perhaps of an earlier revision, see `state`.
     [[nodiscard]] const CollectionStatistics& statistics() const { return statistics_; }
     /// Position of a model in `models()`; none when it is not there.
     [[nodiscard]] std::optional<std::size_t> find(ModelId id) const;
@@ -34,7 +36,7 @@ public:
 private:
     Snapshot() = default;
 
-    Revision revision_ = 0;
+    CollectionState state_;
     std::vector<ModelSummary> models_;
     std::vector<KnownModel> known_;
     std::vector<std::shared_ptr<const ModelDescriptor>> descriptors_;

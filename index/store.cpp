@@ -74,6 +74,14 @@ Result<IndexParameters> read_parameters(Connection& connection, const fs::path& 
     return parameters;
 }
 
+Result<CollectionState> read_state(Store::Impl& impl) {
+    Query query(
+        impl.statement("SELECT revision, coalesce((SELECT revision FROM statistics WHERE id = 1), "
+                       "-1) FROM state WHERE id = 1"));
+    if (!query.step()) return {ErrorCode::kIndexCorrupt, impl.path.string() + ": no revision"};
+    return CollectionState{query.integer(0), query.integer(1)};
+}
+
 Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
@@ -114,13 +122,13 @@ const IndexParameters& Store::parameters() const { return impl_->parameters; }
 int Store::version() const { return schema_version(); }
 
 Result<Revision> Store::revision() {
-    return impl_->locked([&]() -> Result<Revision> {
-        Query query(impl_->statement("SELECT revision FROM state WHERE id = 1"));
-        if (!query.step()) {
-            return {ErrorCode::kIndexCorrupt, impl_->path.string() + ": no revision"};
-        }
-        return query.integer(0);
-    });
+    const auto state = collection_state();
+    if (!state) return state.error();
+    return state->models;
+}
+
+Result<CollectionState> Store::collection_state() {
+    return impl_->locked([&]() -> Result<CollectionState> { return read_state(*impl_); });
 }
 
 Result<void> Store::checkpoint() {

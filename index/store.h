@@ -29,10 +29,6 @@ using Revision = std::int64_t;
 struct PutModel {  ///< adds the model, or replaces the one that has its path
     NewModel model;
 };
-struct CopyModel {  ///< adds a model whose bytes equal those of `source`
-    ModelId source = 0;
-    std::string path, name, class_name;
-};
 struct MoveModel {  ///< the file of `id` is now at `path`
     ModelId id = 0;
     std::string path, name;
@@ -52,20 +48,20 @@ struct RecordFailure {  ///< replaces an earlier failure and, if its bytes diffe
 struct ForgetFailure {
     std::string path;
 };
-using Change = std::variant<PutModel, CopyModel, MoveModel, ClassifyModel, RemoveModel,
-                            RecordFailure, ForgetFailure>;
+using Change =
+    std::variant<PutModel, MoveModel, ClassifyModel, RemoveModel, RecordFailure, ForgetFailure>;
 
 /// What is to be done for a file, see Store::claim_work.
 struct Work {
     enum class Kind {
         kDescribe,      ///< new, or its bytes changed
         kUnchanged,     ///< `models` holds the model
-        kKnownFailure,  ///< the same bytes failed before; `failure` says how
+        kKnownFailure,  ///< the same bytes failed before
         kSameContent,   ///< `models` lists models of other paths with the same bytes
     };
     Kind kind = Kind::kDescribe;
     std::vector<ModelSummary> models;
-    std::optional<Failure> failure;
+    std::optional<Failure> failure;  ///< the last one of this path, if any
 };
 
 /// A page of models in the order of their ids.
@@ -101,6 +97,12 @@ struct StoredStatistics {
     Revision revision = 0;
 };
 
+/// What a snapshot is up to date with.
+struct CollectionState {
+    Revision models = 0;
+    Revision statistics = -1;  ///< at which statistics were last made; -1 = never
+    bool operator==(const CollectionState&) const = default;
+};
 struct StoreContents {
     struct Model {
         ModelId id = 0;
@@ -108,7 +110,7 @@ struct StoreContents {
         std::optional<ModelSummary> summary;        ///< none = as known
         std::optional<ModelDescriptor> descriptor;  ///< none = as known
     };
-    Revision revision = 0;
+    CollectionState state;
     std::vector<Model> models;  ///< in the order of ids
     std::optional<StoredStatistics> statistics;
 };
@@ -166,6 +168,8 @@ public:
     /// The schema's version, after any migration.
     [[nodiscard]] int version() const;
     Result<Revision> revision();
+    /// Cheap: what a reader asks to learn whether it is up to date.
+    Result<CollectionState> collection_state();
 
     // Writing. All changes of one call are one transaction and one revision, or nothing happens.
 

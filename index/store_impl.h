@@ -52,6 +52,9 @@ std::string select_summaries(std::string_view rest);
 Result<ModelDescriptor> descriptor_from(std::string_view skeleton, std::string_view globals,
                                         std::string_view signature);
 
+/// The revisions that a reader follows. Errors: index_corrupt.
+Result<CollectionState> read_state(Store::Impl& impl);
+
 /// The parameters that are stored in the index. Errors: index_corrupt.
 Result<IndexParameters> read_parameters(Connection& connection, const std::filesystem::path& path);
 

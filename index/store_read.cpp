@@ -86,6 +86,10 @@ Result<Work> Store::claim_work(std::string_view path, std::string_view content_h
     return impl_->locked([&]() -> Result<Work> {
         Work work;
         {
+            Query failed(impl_->statement(std::string(kSelectFailures) + "WHERE path = ?"));
+            if (failed.bind(path).step()) work.failure = failure_from(failed);
+        }
+        {
             Query same_path(impl_->statement(select_summaries("WHERE path = ?")));
             if (same_path.bind(path).step() && same_path.text(4) == content_hash) {
                 auto summary = summary_from(same_path);
@@ -95,14 +99,9 @@ Result<Work> Store::claim_work(std::string_view path, std::string_view content_h
                 return work;
             }
         }
-        {
-            Query failed(impl_->statement(std::string(kSelectFailures) +
-                                          "WHERE path = ? AND content_hash = ?"));
-            if (!content_hash.empty() && failed.bind(path, content_hash).step()) {
-                work.kind = Work::Kind::kKnownFailure;
-                work.failure = failure_from(failed);
-                return work;
-            }
+        if (work.failure && !content_hash.empty() && work.failure->content_hash == content_hash) {
+            work.kind = Work::Kind::kKnownFailure;
+            return work;
         }
         Query same_content(
             impl_->statement(select_summaries("WHERE content_hash = ? ORDER BY id")));
@@ -173,7 +172,9 @@ Result<StoreContents> Store::contents(std::span<const KnownModel> known) {
     return impl_->locked([&]() -> Result<StoreContents> {
         SQLite::Transaction transaction(impl_->database());
         StoreContents contents;
-        contents.revision = impl_->connection->integer("SELECT revision FROM state");
+        const auto state = read_state(*impl_);
+        if (!state) return state.error();
+        contents.state = *state;
         Query ids(impl_->statement("SELECT id, revision FROM models ORDER BY id"));
         auto next_known = known.begin();
         while (ids.step()) {

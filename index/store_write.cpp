@@ -53,7 +53,6 @@ public:
         : impl_(impl), transaction_(impl.database(), SQLite::TransactionBehavior::IMMEDIATE) {}
 
     Result<ModelId> operator()(const PutModel& change);
-    Result<ModelId> operator()(const CopyModel& change);
     Result<ModelId> operator()(const MoveModel& change);
     Result<ModelId> operator()(const ClassifyModel& change);
     Result<ModelId> operator()(const RemoveModel& change);
@@ -179,39 +178,6 @@ Result<ModelId> Writer::operator()(const PutModel& change) {
     const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
     put_parts(id, model, *encoded);
     forget_failure(summary.path);
-    return id;
-}
-
-Result<ModelId> Writer::operator()(const CopyModel& change) {
-    ModelSummary summary;
-    {
-        Query source(impl_.statement(select_summaries("WHERE id = ?")));
-        if (!source.bind(change.source).step()) return impl_.no_model(change.source);
-        auto read = summary_from(source);
-        if (!read) return read.error();
-        summary = *std::move(read);
-    }
-    const auto old = existing(change.path, summary.content_hash);
-    if (old && old->content_hash == summary.content_hash) return old->id;
-    if (old) remove_parts(old->id);
-    summary.path = change.path;
-    summary.name = change.name;
-    summary.class_name = change.class_name;
-    const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
-    for (const auto& [table, columns] : {
-             std::pair<std::string, std::string>{"signatures", "signature"},
-             {"descriptors", "skeleton, globals"},
-             {"skeletons", "skeleton"},
-             {"branches", "branch, node_a, node_b, length, chain_code"},
-             {"previews", "mesh"},
-             {"thumbnails", "png"},
-         }) {
-        query("INSERT INTO " + table + " (model, " + columns + ") SELECT ?1, " + columns +
-              " FROM " + table + " WHERE model = ?2")
-            .bind(id, change.source)
-            .run();
-    }
-    forget_failure(change.path);
     return id;
 }
 

@@ -1,0 +1,69 @@
+#include "index/describe_model.h"
+
+#include <exception>
+#include <new>
+
+#include "engine/descriptor/describe.h"
+#include "engine/mesh/decimate.h"
+#include "engine/mesh/measures.h"
+#include "engine/mesh/read_mesh.h"
+#include "index/content_hash.h"
+
+namespace ossuary::index {
+
+namespace {
+
+Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
+                                  const IndexParameters& parameters, std::stop_token stop) {
+    auto read = read_mesh(bytes, name);
+    if (!read) return read.error();
+    const TriangleMesh& mesh = read->mesh;
+    auto description = describe(mesh, describe_options(parameters), stop);
+    if (!description) return description.error();
+
+    NewModel model;
+    const MeshMeasures measures = measure(mesh);
+    model.summary.content_hash = content_hash(bytes);
+    model.summary.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
+    model.summary.faces = mesh.face_count;
+    model.summary.bounds = measures.bounds;
+    model.summary.surface_area = measures.surface_area;
+    model.summary.warnings = std::move(read->warnings);
+    model.summary.warnings.insert(model.summary.warnings.end(), description->warnings.begin(),
+                                  description->warnings.end());
+    model.descriptor = std::move(description->descriptor);
+    model.skeleton = std::move(description->skeleton);
+    model.preview = make_preview(mesh);
+    return model;
+}
+
+}  // namespace
+
+Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
+                                const IndexParameters& parameters, std::stop_token stop) {
+    try {
+        return describe_checked(bytes, name, parameters, stop);
+    } catch (const std::bad_alloc&) {
+        return {ErrorCode::kOutOfMemory, std::string(name) + ": not enough memory"};
+    } catch (const std::exception& exception) {
+        return {ErrorCode::kInternal, std::string(name) + ": " + exception.what()};
+    }
+}
+
+PreviewMesh make_preview(const TriangleMesh& mesh) {
+    const TriangleMesh coarse = decimate(mesh, {.max_triangles = 2000});
+    PreviewMesh preview;
+    preview.positions.reserve(coarse.vertices.size() * 3);
+    for (const Vec3& vertex : coarse.vertices) {
+        for (const double coordinate : {vertex.x(), vertex.y(), vertex.z()}) {
+            preview.positions.push_back(static_cast<float>(coordinate));
+        }
+    }
+    preview.triangles.reserve(coarse.triangles.size() * 3);
+    for (const TriangleMesh::Triangle& triangle : coarse.triangles) {
+        preview.triangles.insert(preview.triangles.end(), triangle.begin(), triangle.end());
+    }
+    return preview;
+}
+
+}  // namespace ossuary::index

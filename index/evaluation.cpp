@@ -1,0 +1,192 @@
+#include "index/evaluation.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <fstream>
+#include <map>
+
+#include "index/content_hash.h"
+#include "index/timestamp.h"
+
+namespace ossuary::index {
+
+namespace {
+
+/// The models to evaluate, as positions in a snapshot.
+struct Selection {
+    std::vector<std::size_t> positions;
+    std::vector<std::string> labels;
+    std::vector<std::string> missing;
+};
+
+std::string file_name(const ModelSummary& model) {
+    return model.path.empty() ? model.name : std::filesystem::path(model.path).filename().string();
+}
+
+Selection select_classified(const Snapshot& snapshot) {
+    Selection selection;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        const std::string& label = snapshot.models()[i].class_name;
+        if (label.empty()) continue;
+        selection.positions.push_back(i);
+        selection.labels.push_back(label);
+    }
+    return selection;
+}
+
+Result<Selection> select_named(const Snapshot& snapshot, const Classification& classification) {
+    std::multimap<std::string, std::size_t> by_file_name;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        by_file_name.emplace(file_name(snapshot.models()[i]), i);
+    }
+    Selection selection;
+    for (const ClassifiedModel& named : models_in_order(classification)) {
+        std::optional<std::size_t> position;
+        for (const std::string& name : candidate_file_names(named.id)) {
+            const auto [first, last] = by_file_name.equal_range(name);
+            if (first == last) continue;
+            if (std::next(first) != last) {
+                return {ErrorCode::kInvalidArgument,
+                        "model \"" + named.id + "\" may be " +
+                            snapshot.models()[first->second].path + " or " +
+                            snapshot.models()[std::next(first)->second].path};
+            }
+            position = first->second;
+            break;
+        }
+        if (position) {
+            selection.positions.push_back(*position);
+            selection.labels.push_back(named.class_name);
+        } else {
+            selection.missing.push_back(named.id);
+        }
+    }
+    if (selection.positions.empty() && !selection.missing.empty()) {
+        return {ErrorCode::kClaUnknownModel,
+                "none of the " + std::to_string(selection.missing.size()) +
+                    " models that the classification names is in the index, the first being \"" +
+                    selection.missing.front() + "\""};
+    }
+    return selection;
+}
+
+Result<Selection> select(const Snapshot& snapshot, const EvaluateOptions& options) {
+    if (!(options.rank.pose >= 0.0 && options.rank.pose <= 1.0)) {
+        return {ErrorCode::kInvalidArgument,
+                "pose: " + std::to_string(options.rank.pose) + ", expected a number from 0 to 1"};
+    }
+    auto selection = options.classification ? select_named(snapshot, *options.classification)
+                                            : Result<Selection>(select_classified(snapshot));
+    if (!selection) return selection;
+    std::map<std::string, int> members;
+    for (const std::string& label : selection->labels) ++members[label];
+    const bool usable = std::any_of(members.begin(), members.end(),
+                                    [](const auto& one) { return one.second >= 2; });
+    if (!usable) {
+        return {ErrorCode::kInvalidArgument, "nothing to evaluate: of " +
+                                                 std::to_string(selection->labels.size()) +
+                                                 " models with a class no two are of the same"};
+    }
+    return selection;
+}
+
+/// Tells evaluated collections of one revision apart.
+std::string collection_hash(const Snapshot& snapshot, const Selection& selection) {
+    std::string text;
+    for (std::size_t i = 0; i < selection.positions.size(); ++i) {
+        text += std::to_string(snapshot.models()[selection.positions[i]].id);
+        text += ' ';
+        text += selection.labels[i];
+        text += '\n';
+    }
+    return content_hash(text);
+}
+
+Evaluation frame(const Snapshot& snapshot, const Selection& selection, const RankOptions& rank) {
+    Evaluation evaluation;
+    evaluation.ranker = rank.ranker;
+    evaluation.rerank = rank.rerank;
+    evaluation.pose = rank.pose;
+    for (const std::size_t position : selection.positions) {
+        evaluation.order.push_back(snapshot.models()[position].id);
+    }
+    evaluation.labels = selection.labels;
+    evaluation.missing = selection.missing;
+    evaluation.revision = snapshot.revision();
+    return evaluation;
+}
+
+/// The statistics of just the evaluated models, as if nothing else were in the index.
+CollectionStatistics statistics_for(const Snapshot& snapshot, const Selection& selection,
+                                    DescriptorSpan descriptors, const RankOptions& rank) {
+    if (rank.ranker != RankerKind::kHybrid) return {};
+    bool whole = selection.positions.size() == snapshot.size();
+    for (std::size_t i = 0; whole && i < selection.positions.size(); ++i) {
+        whole = selection.positions[i] == i;
+    }
+    if (whole && snapshot.state().statistics == snapshot.revision()) return snapshot.statistics();
+    return collection_statistics(descriptors, rank.jobs);
+}
+
+Evaluation compute(const Snapshot& snapshot, const Selection& selection, const RankOptions& rank) {
+    std::vector<const ModelDescriptor*> descriptors;
+    for (const std::size_t position : selection.positions) {
+        descriptors.push_back(snapshot.descriptors()[position]);
+    }
+    Evaluation evaluation = frame(snapshot, selection, rank);
+    evaluation.distances =
+        distance_matrix(descriptors, statistics_for(snapshot, selection, descriptors, rank), rank);
+    evaluation.report = evaluate_retrieval(evaluation.distances, evaluation.labels);
+    evaluation.computed_at = utc_now();
+    return evaluation;
+}
+
+}  // namespace
+
+Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options) {
+    const auto selection = select(snapshot, options);
+    if (!selection) return selection.error();
+    return compute(snapshot, *selection, options.rank);
+}
+
+Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
+                                   const EvaluateOptions& options) {
+    const auto selection = select(snapshot, options);
+    if (!selection) return selection.error();
+    const EvaluationKey key{snapshot.revision(), options.rank.ranker, options.rank.rerank,
+                            options.rank.pose, collection_hash(snapshot, *selection)};
+    auto cached = store.evaluation(key);
+    if (!cached) return cached.error();
+    if (*cached) {
+        Evaluation evaluation = frame(snapshot, *selection, options.rank);
+        evaluation.report = std::move((*cached)->report);
+        evaluation.computed_at = std::move((*cached)->computed_at);
+        return evaluation;
+    }
+    Evaluation evaluation = compute(snapshot, *selection, options.rank);
+    // A reader cannot keep it, and whoever writes for long should not fail a reader.
+    const auto kept = store.put_evaluation(key, evaluation.report);
+    if (!kept && kept.error().code != ErrorCode::kIndexIo &&
+        kept.error().code != ErrorCode::kIndexBusy) {
+        return kept.error();
+    }
+    return evaluation;
+}
+
+Result<void> write_matrix(const std::filesystem::path& path, const DistanceMatrix& distances) {
+    assert(distances.values.size() == distances.size * distances.size);
+    std::string bytes;
+    bytes.reserve(distances.values.size() * sizeof(float));
+    for (const float value : distances.values) {
+        const auto bits = std::bit_cast<std::uint32_t>(value);
+        for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift);
+    }
+    std::ofstream file(path, std::ios::binary);
+    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
+    return {};
+}
+
+}  // namespace ossuary::index

@@ -1,0 +1,359 @@
+#include "index/indexer.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/core/parallel.h"
+#include "engine/core/stopwatch.h"
+#include "engine/mesh/read_mesh.h"
+#include "index/content_hash.h"
+#include "index/describe_model.h"
+#include "index/model_files.h"
+#include "index/model_timer.h"
+#include "index/ordered_pipeline.h"
+#include "index/snapshot.h"
+#include "index/timestamp.h"
+
+namespace ossuary::index {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How many descriptions may wait for the writer, besides one a worker: enough that a slow model
+/// does not hold up the others, little enough to fit (some 100 KB each).
+constexpr std::size_t kWindow = 64;
+
+bool file_exists(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
+
+/// What a worker found out about one file.
+struct FileOutcome {
+    enum class Kind { kDescribed, kUnchanged, kMoved, kKnownFailure, kFailed, kBroken, kCancelled };
+    Kind kind = Kind::kCancelled;
+    std::string content_hash;
+    NewModel model;                    ///< described
+    std::vector<ModelSummary> models;  ///< unchanged: the model; moved: those with the same bytes
+    bool had_failed = false;           ///< unchanged: could not be read at some time since
+    Error error;                       ///< failed: of the file; broken: of the index
+};
+
+/// One run of index_models: `process` on the workers, the rest on the caller's thread.
+class IndexRun {
+public:
+    IndexRun(Store& store, const IndexOptions& options, ProgressSink& sink, std::stop_token stop)
+        : store_(store),
+          options_(options),
+          sink_(sink),
+          stop_(std::move(stop)),
+          timer_(options.model_timeout_seconds) {}
+
+    Result<IndexOutcome> run();
+
+private:
+    FileOutcome process(const fs::path& path);
+    FileOutcome describe_file(const fs::path& path, const std::string& bytes, std::string hash);
+    bool consume(const fs::path& path, FileOutcome outcome);
+    void put(const fs::path& path, NewModel model);
+    void fail(const fs::path& path, const std::string& hash, const Error& error);
+    void keep(const ModelSummary& model, const fs::path& path);
+    void move(const fs::path& path, FileOutcome outcome);
+    bool change(Change change);
+    bool flush();
+    void report(const fs::path& path);
+    Result<void> prune();
+
+    [[nodiscard]] std::optional<std::string> class_of(const fs::path& path) const {
+        const auto found = classes_.find(path.filename().string());
+        if (found == classes_.end()) return {};
+        return found->second;
+    }
+
+    Store& store_;
+    const IndexOptions& options_;
+    ProgressSink& sink_;
+    std::stop_token stop_;
+    ModelTimer timer_;
+    std::vector<fs::path> files_;
+    std::map<std::string, std::string> classes_;
+    std::vector<Change> pending_;
+    std::set<ModelId> moved_;  ///< in this run, so that one model moves once
+    std::optional<Error> error_;
+    IndexOutcome outcome_;
+    IndexProgress progress_;
+    Stopwatch since_start_;
+    std::optional<Stopwatch> since_work_;  ///< since the first file that was not just skipped
+    std::size_t skipped_before_work_ = 0;
+};
+
+FileOutcome IndexRun::process(const fs::path& path) {
+    FileOutcome outcome;
+    if (stop_.stop_requested()) return outcome;
+    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    if (!bytes) {
+        outcome.kind = FileOutcome::Kind::kFailed;
+        outcome.error = bytes.error();
+        return outcome;
+    }
+    outcome.content_hash = content_hash(*bytes);
+    auto work = store_.claim_work(path.string(), outcome.content_hash);
+    if (!work) {
+        outcome.kind = FileOutcome::Kind::kBroken;
+        outcome.error = work.error();
+        return outcome;
+    }
+    const bool same_content = work->kind == Work::Kind::kSameContent;
+    if (work->kind == Work::Kind::kUnchanged) {
+        outcome.kind = FileOutcome::Kind::kUnchanged;
+        outcome.had_failed = work->failure.has_value();
+    } else if (work->kind == Work::Kind::kKnownFailure && !options_.retry_failed) {
+        outcome.kind = FileOutcome::Kind::kKnownFailure;
+    } else if (same_content &&
+               std::any_of(work->models.begin(), work->models.end(), [](const ModelSummary& model) {
+                   return !model.path.empty() && !file_exists(model.path);
+               })) {
+        outcome.kind = FileOutcome::Kind::kMoved;
+    } else {
+        return describe_file(path, *bytes, std::move(outcome.content_hash));
+    }
+    outcome.models = std::move(work->models);
+    return outcome;
+}
+
+FileOutcome IndexRun::describe_file(const fs::path& path, const std::string& bytes,
+                                    std::string hash) {
+    FileOutcome outcome;
+    outcome.content_hash = std::move(hash);
+    const ModelTimer::Watch watch(timer_, stop_);
+    auto model = describe_model(bytes, path.string(), store_.parameters(), watch.token());
+    if (model) {
+        outcome.kind = FileOutcome::Kind::kDescribed;
+        outcome.model = *std::move(model);
+        return outcome;
+    }
+    if (stop_.stop_requested()) return outcome;
+    outcome.kind = FileOutcome::Kind::kFailed;
+    outcome.error = model.error();
+    if (outcome.error.code == ErrorCode::kCancelled) {
+        outcome.error.message = path.string() + ": took longer than " +
+                                std::to_string(options_.model_timeout_seconds) + " s";
+    }
+    return outcome;
+}
+
+bool IndexRun::consume(const fs::path& path, FileOutcome outcome) {
+    using Kind = FileOutcome::Kind;
+    if (outcome.kind == Kind::kCancelled) return false;
+    if (outcome.kind == Kind::kBroken) {
+        error_ = std::move(outcome.error);
+        return false;
+    }
+    const bool skipped = outcome.kind == Kind::kUnchanged || outcome.kind == Kind::kKnownFailure;
+    if (!skipped && !since_work_) {
+        since_work_.emplace();
+        skipped_before_work_ = progress_.done;
+    }
+    switch (outcome.kind) {
+        case Kind::kDescribed:
+            put(path, std::move(outcome.model));
+            break;
+        case Kind::kUnchanged:
+            keep(outcome.models.front(), path);
+            if (outcome.had_failed) change(ForgetFailure{path.string()});
+            break;
+        case Kind::kMoved:
+            move(path, std::move(outcome));
+            break;
+        case Kind::kKnownFailure:
+            ++outcome_.known_failures;
+            break;
+        default:
+            fail(path, outcome.content_hash, outcome.error);
+            break;
+    }
+    report(path);
+    return !error_;
+}
+
+void IndexRun::put(const fs::path& path, NewModel model) {
+    model.summary.path = path.string();
+    model.summary.name = path.stem().string();
+    model.summary.class_name = class_of(path).value_or("");
+    ++outcome_.indexed;
+    change(PutModel{std::move(model)});
+}
+
+void IndexRun::fail(const fs::path& path, const std::string& hash, const Error& error) {
+    ++outcome_.failed;
+    sink_.failed(
+        {path.string(), hash, std::string(to_string(error.code)), error.message, utc_now()});
+    change(RecordFailure{path.string(), hash, error});
+}
+
+void IndexRun::keep(const ModelSummary& model, const fs::path& path) {
+    ++outcome_.unchanged;
+    const auto class_name = class_of(path);
+    if (class_name && *class_name != model.class_name) {
+        ++outcome_.classified;
+        change(ClassifyModel{model.id, *class_name});
+    }
+}
+
+void IndexRun::move(const fs::path& path, FileOutcome outcome) {
+    for (const ModelSummary& model : outcome.models) {
+        if (model.path.empty() || file_exists(model.path) || moved_.contains(model.id)) continue;
+        moved_.insert(model.id);
+        ++outcome_.moved;
+        change(MoveModel{model.id, path.string(), path.stem().string(), class_of(path)});
+        return;
+    }
+    // Another path of this run has taken the model's place.
+    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    if (!bytes) return fail(path, "", bytes.error());
+    FileOutcome described = describe_file(path, *bytes, content_hash(*bytes));
+    if (described.kind == FileOutcome::Kind::kDescribed) {
+        put(path, std::move(described.model));
+    } else if (described.kind == FileOutcome::Kind::kFailed) {
+        fail(path, described.content_hash, described.error);
+    }
+}
+
+bool IndexRun::change(Change change) {
+    pending_.push_back(std::move(change));
+    return pending_.size() < std::max<std::size_t>(options_.batch_models, 1) || flush();
+}
+
+bool IndexRun::flush() {
+    if (pending_.empty() || error_) return !error_;
+    const auto applied = store_.apply(pending_);
+    if (!applied) error_ = applied.error();
+    pending_.clear();
+    return !error_;
+}
+
+void IndexRun::report(const fs::path& path) {
+    ++progress_.done;
+    progress_.indexed = outcome_.indexed + outcome_.moved;
+    progress_.unchanged = outcome_.unchanged + outcome_.known_failures;
+    progress_.failed = outcome_.failed;
+    progress_.path = path.string();
+    if (since_work_) {
+        const double seconds = std::max(since_work_->elapsed_ms() / 1000.0, 1e-3);
+        const auto done = static_cast<double>(progress_.done - skipped_before_work_);
+        progress_.models_per_second =
+            static_cast<double>(outcome_.indexed + outcome_.failed) / seconds;
+        progress_.eta_seconds =
+            static_cast<double>(progress_.total - progress_.done) * seconds / done;
+    }
+    sink_.progress(progress_);
+}
+
+Result<void> IndexRun::prune() {
+    std::vector<fs::path> roots;
+    for (const fs::path& path : options_.paths) roots.push_back(index_path(path));
+    const auto gone = [&](const std::string& path) {
+        return !path.empty() && is_under(path, roots) && !file_exists(path);
+    };
+    const auto page =
+        store_.models({.after = 0, .limit = 0, .class_name = {}, .name_contains = {}});
+    if (!page) return page.error();
+    for (const ModelSummary& model : page->models) {
+        if (!gone(model.path)) continue;
+        ++outcome_.pruned;
+        change(RemoveModel{model.id});
+    }
+    const auto failures = store_.failures();
+    if (!failures) return failures.error();
+    for (const Failure& failure : *failures) {
+        if (gone(failure.path)) change(ForgetFailure{failure.path});
+    }
+    if (!flush()) return *error_;
+    return {};
+}
+
+Result<IndexOutcome> IndexRun::run() {
+    if (store_.parameters().pipeline != kPipelineVersion) {
+        return {ErrorCode::kIndexParameters, store_.path().string() + ": was built by version " +
+                                                 std::to_string(store_.parameters().pipeline) +
+                                                 " of the pipeline, this program is version " +
+                                                 std::to_string(kPipelineVersion) +
+                                                 "; index into a new file"};
+    }
+    auto files = find_model_files(options_.paths);
+    if (!files) return files.error();
+    files_ = *std::move(files);
+    if (options_.classes) classes_ = classes_by_file_name(*options_.classes, files_);
+    outcome_.files = files_.size();
+    progress_.total = files_.size();
+    sink_.phase("indexing " + std::to_string(files_.size()) + " files");
+
+    run_in_order<FileOutcome>(
+        files_.size(), resolve_jobs(options_.jobs), kWindow,
+        [this](std::size_t i) { return process(files_[i]); },
+        [this](std::size_t i, FileOutcome outcome) {
+            return consume(files_[i], std::move(outcome));
+        });
+    if (!flush()) return *error_;
+    if (stop_.stop_requested()) {
+        return {ErrorCode::kCancelled,
+                "indexing was stopped after " + std::to_string(progress_.done) + " of " +
+                    std::to_string(progress_.total) + " files; what is done is kept"};
+    }
+    if (options_.prune) {
+        if (const auto pruned = prune(); !pruned) return pruned.error();
+    }
+    sink_.phase("computing the collection's statistics");
+    if (const auto updated = update_statistics(store_, options_.jobs); !updated) {
+        return updated.error();
+    }
+    const auto revision = store_.revision();
+    if (!revision) return revision.error();
+    outcome_.revision = *revision;
+    outcome_.seconds = since_start_.elapsed_ms() / 1000.0;
+    return outcome_;
+}
+
+/// What may stand as a name: no control characters, no more than a line.
+std::string clean_name(const std::string& name) {
+    std::string clean;
+    for (const char c : name.substr(0, 200)) {
+        if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) clean += c;
+    }
+    return clean.empty() ? "model" : clean;
+}
+
+}  // namespace
+
+Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, ProgressSink& sink,
+                                  std::stop_token stop) {
+    return IndexRun(store, options, sink, std::move(stop)).run();
+}
+
+Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop) {
+    auto model = describe_model(upload.bytes, upload.name, store.parameters(), std::move(stop));
+    if (!model) return model.error();
+    model->summary.name = clean_name(upload.name);
+    model->summary.class_name = upload.class_name;
+    const auto id = store.put(*std::move(model));
+    if (!id) return id;
+    const auto state = store.collection_state();
+    if (!state) return state.error();
+    if (state->statistics < 0) {
+        if (const auto updated = update_statistics(store); !updated) return updated.error();
+    }
+    return id;
+}
+
+Result<void> update_statistics(Store& store, int jobs) {
+    const auto state = store.collection_state();
+    if (!state) return state.error();
+    if (state->statistics == state->models) return {};
+    const auto snapshot = Snapshot::load(store);
+    if (!snapshot) return snapshot.error();
+    return store.put_statistics(collection_statistics((*snapshot)->descriptors(), jobs),
+                                (*snapshot)->revision());
+}
+
+}  // namespace ossuary::index

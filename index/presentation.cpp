@@ -1,0 +1,246 @@
+#include "index/presentation.h"
+
+#include <cassert>
+
+namespace ossuary::index {
+
+namespace {
+
+using nlohmann::json;
+
+json point(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
+
+json class_or_null(const std::string& name) { return name.empty() ? json() : json(name); }
+
+json pairs(const std::vector<Correspondence::Pair>& list) {
+    json out = json::array();
+    for (const auto& pair : list)
+        out.push_back({{"a", pair.a}, {"b", pair.b}, {"cost", pair.cost}});
+    return out;
+}
+
+void add_metrics(json& out, const RetrievalMetrics& metrics) {
+    out["nearest_neighbor"] = metrics.nearest_neighbor;
+    out["first_tier"] = metrics.first_tier;
+    out["second_tier"] = metrics.second_tier;
+    out["e_measure"] = metrics.e_measure;
+    out["dcg"] = metrics.dcg;
+    out["mean_average_precision"] = metrics.mean_average_precision;
+}
+
+json compared(const ComparedModel& model) {
+    if (model.summary.id != 0) return to_json(model.summary);
+    json out = json::object();
+    out["name"] = model.summary.name;
+    return out;
+}
+
+json skeleton_json(const SkeletonGraph& graph, std::string_view unit,
+                   std::span<const std::string> chain_codes) {
+    json nodes = json::array();
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+        const SkeletonGraph::Node& node = graph.nodes[i];
+        nodes.push_back({{"id", i},
+                         {"position", point(node.position)},
+                         {"radius", node.radius},
+                         {"degree", node.degree},
+                         {"significance", node.significance}});
+    }
+    json branches = json::array();
+    for (std::size_t i = 0; i < graph.branches.size(); ++i) {
+        const SkeletonGraph::Branch& branch = graph.branches[i];
+        json points = json::array();
+        for (const Vec3& each : branch.points) points.push_back(point(each));
+        json one = {{"id", i},
+                    {"a", branch.a},
+                    {"b", branch.b},
+                    {"length", branch.length()},
+                    {"points", std::move(points)},
+                    {"radii", branch.radii}};
+        if (i < chain_codes.size()) one["chain_code"] = chain_codes[i];
+        branches.push_back(std::move(one));
+    }
+    return {{"unit", unit}, {"nodes", std::move(nodes)}, {"branches", std::move(branches)}};
+}
+
+}  // namespace
+
+json to_json(const Box3& box) { return {{"min", point(box.min())}, {"max", point(box.max())}}; }
+
+json to_json(const std::vector<MeshWarning>& warnings) {
+    json out = json::array();
+    for (const MeshWarning& warning : warnings) {
+        out.push_back(
+            {{"code", warning.code}, {"count", warning.count}, {"message", warning.message}});
+    }
+    return out;
+}
+
+json to_json(const StageTimes& times) {
+    json out = json::object();
+    for (const StageTime& time : times) {
+        out[time.stage] = out.value(time.stage, 0.0) + time.milliseconds;
+    }
+    return out;
+}
+
+json to_json(const std::vector<DistancePart>& parts) {
+    json out = json::object();
+    for (const DistancePart& part : parts) out[part.name] = part.value;
+    return out;
+}
+
+json to_json(const Correspondence& match) {
+    return {{"nodes", pairs(match.nodes)},
+            {"branches", pairs(match.branches)},
+            {"cluster_sizes", match.cluster_sizes}};
+}
+
+json to_json(const StoredSkeleton& skeleton) {
+    return skeleton_json(skeleton.graph, "model", skeleton.chain_codes);
+}
+
+json to_json(const SkeletonGraph& graph, std::string_view unit) {
+    return skeleton_json(graph, unit, {});
+}
+
+json to_json(const PreviewMesh& mesh, const Box3& bounds) {
+    return {
+        {"positions", mesh.positions}, {"triangles", mesh.triangles}, {"bounds", to_json(bounds)}};
+}
+
+json to_json(const ModelSummary& model) {
+    return {{"id", model.id},
+            {"name", model.name},
+            {"class", class_or_null(model.class_name)},
+            {"path", model.path},
+            {"content_hash", model.content_hash},
+            {"vertices", model.vertices},
+            {"faces", model.faces},
+            {"nodes", model.nodes},
+            {"branches", model.branches},
+            {"bounds", to_json(model.bounds)},
+            {"surface_area", model.surface_area},
+            {"indexed_at", model.indexed_at},
+            {"warnings", to_json(model.warnings)}};
+}
+
+json to_json(const Failure& failure) {
+    return {{"path", failure.path},
+            {"content_hash", failure.content_hash.empty() ? json() : json(failure.content_hash)},
+            {"code", failure.code},
+            {"message", failure.message},
+            {"failed_at", failure.failed_at}};
+}
+
+json to_json(const Hit& hit) {
+    return {{"rank", hit.rank},
+            {"id", hit.id},
+            {"name", hit.name},
+            {"class", class_or_null(hit.class_name)},
+            {"distance", hit.distance},
+            {"parts", to_json(hit.parts)},
+            {"matched_nodes", hit.matched_nodes},
+            {"match", to_json(hit.match)}};
+}
+
+json to_json(const SearchResult& result, const QueryDescription& query,
+             const RankOptions& options) {
+    json hits = json::array();
+    for (const Hit& hit : result.hits) hits.push_back(to_json(hit));
+    return {{"took_ms", result.took_ms},
+            {"stages_ms", to_json(result.stages_ms)},
+            {"ranker", to_string(options.ranker)},
+            {"pose", options.pose},
+            {"rerank", options.rerank},
+            {"models", result.models},
+            {"revision", result.revision},
+            {"query",
+             {{"name", query.name},
+              {"vertices", query.vertices},
+              {"faces", query.faces},
+              {"warnings", to_json(result.warnings)},
+              {"skeleton", to_json(result.query_skeleton)}}},
+            {"hits", std::move(hits)}};
+}
+
+json to_json(const Comparison& comparison, const RankOptions& options) {
+    return {{"a", compared(comparison.a)},
+            {"b", compared(comparison.b)},
+            {"ranker", to_string(options.ranker)},
+            {"pose", options.pose},
+            {"distance", comparison.match.distance},
+            {"parts", to_json(comparison.match.parts)},
+            {"matched_nodes", comparison.match.correspondence.nodes.size()},
+            {"match", to_json(comparison.match.correspondence)},
+            {"skeletons",
+             {{"a", to_json(comparison.a.skeleton)}, {"b", to_json(comparison.b.skeleton)}}}};
+}
+
+json to_json(const Evaluation& evaluation) {
+    const RetrievalReport& report = evaluation.report;
+    json out = {{"models", report.models},
+                {"classes", report.classes},
+                {"ranker", to_string(evaluation.ranker)},
+                {"rerank", evaluation.rerank},
+                {"pose", evaluation.pose},
+                {"revision", evaluation.revision},
+                {"computed_at", evaluation.computed_at},
+                {"missing", evaluation.missing}};
+    add_metrics(out, report.mean);
+    json macro = json::object();
+    add_metrics(macro, report.macro_mean);
+    out["macro_mean"] = std::move(macro);
+    json curve = json::array();
+    for (const PrecisionRecallPoint& each : report.precision_recall) {
+        curve.push_back({{"recall", each.recall}, {"precision", each.precision}});
+    }
+    out["precision_recall"] = std::move(curve);
+    json per_class = json::object();
+    json names = json::array();
+    for (const ClassMetrics& each : report.per_class) {
+        json one = {{"models", each.models}};
+        add_metrics(one, each.metrics);
+        per_class[each.name] = std::move(one);
+        names.push_back(each.name);
+    }
+    out["per_class"] = std::move(per_class);
+    json rows = json::array();
+    const std::size_t n = report.classes;
+    assert(report.confusion.size() == n * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto first = report.confusion.begin() + static_cast<std::ptrdiff_t>(i * n);
+        rows.push_back(std::vector<double>(first, first + static_cast<std::ptrdiff_t>(n)));
+    }
+    out["confusion"] = {{"classes", std::move(names)}, {"values", std::move(rows)}};
+    return out;
+}
+
+json to_json(const IndexOutcome& outcome) {
+    return {{"files", outcome.files},           {"indexed", outcome.indexed},
+            {"moved", outcome.moved},           {"unchanged", outcome.unchanged},
+            {"failed", outcome.failed},         {"known_failures", outcome.known_failures},
+            {"classified", outcome.classified}, {"pruned", outcome.pruned},
+            {"revision", outcome.revision},     {"seconds", outcome.seconds}};
+}
+
+json to_json(const VerifyReport& report) {
+    json findings = json::array();
+    for (const Finding& finding : report.findings) {
+        findings.push_back({{"subject", finding.subject}, {"message", finding.message}});
+    }
+    return {{"sound", report.findings.empty()},
+            {"models", report.models},
+            {"blobs", report.blobs},
+            {"failures", report.failures},
+            {"revision", report.revision},
+            {"findings", std::move(findings)}};
+}
+
+json to_json(const IndexParameters& parameters) {
+    return {{"resolution", parameters.resolution},
+            {"thinning", to_string(parameters.thinning)},
+            {"pipeline", parameters.pipeline}};
+}
+
+}  // namespace ossuary::index

@@ -1,0 +1,231 @@
+#include "index/searcher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "engine/descriptor/describe.h"
+
+namespace ossuary::index {
+
+namespace {
+
+StoredSkeleton with_chain_codes(SkeletonGraph graph, const SkeletonDescriptor& descriptor) {
+    StoredSkeleton skeleton{std::move(graph), {}};
+    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+        skeleton.chain_codes.push_back(branch.chain_code);
+    }
+    return skeleton;
+}
+
+/// Positions of the models that may be hits, nearest first.
+std::vector<std::size_t> ranked(const Snapshot& snapshot, const std::vector<double>& distances,
+                                const SearchOptions& options, ModelId left_out) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        const ModelSummary& model = snapshot.models()[i];
+        if (model.id == left_out) continue;
+        if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
+        order.push_back(i);
+    }
+    const auto nearer = [&](std::size_t a, std::size_t b) {
+        const bool a_is_number = !std::isnan(distances[a]);
+        const bool b_is_number = !std::isnan(distances[b]);
+        if (a_is_number != b_is_number) return a_is_number;
+        if (a_is_number && distances[a] != distances[b]) return distances[a] < distances[b];
+        return a < b;
+    };
+    const std::size_t count =
+        options.limit == 0 ? order.size() : std::min(options.limit, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                      order.end(), nearer);
+    order.resize(count);
+    return order;
+}
+
+/// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
+void find_hits(const Snapshot& snapshot, const ModelDescriptor& query, const SearchOptions& options,
+               ModelId left_out, SearchResult& result) {
+    Stopwatch watch;
+    // Distances are taken to all models even when a class is asked for: normalisation and
+    // re-ranking then do not depend on the filter.
+    const std::vector<double> distances =
+        rank_distances(query, snapshot.descriptors(), snapshot.statistics(), options.rank);
+    for (const std::size_t position : ranked(snapshot, distances, options, left_out)) {
+        const ModelSummary& model = snapshot.models()[position];
+        Hit hit;
+        hit.rank = result.hits.size() + 1;
+        hit.id = model.id;
+        hit.name = model.name;
+        hit.class_name = model.class_name;
+        hit.distance = distances[position];
+        result.hits.push_back(std::move(hit));
+    }
+    result.stages_ms.push_back({"rank", watch.lap_ms()});
+    if (options.with_match) {
+        for (Hit& hit : result.hits) {
+            const auto position = snapshot.find(hit.id);
+            Match match = explain(query, *snapshot.descriptors()[*position], snapshot.statistics(),
+                                  options.rank);
+            hit.parts = std::move(match.parts);
+            hit.matched_nodes = match.correspondence.nodes.size();
+            hit.match = std::move(match.correspondence);
+        }
+        result.stages_ms.push_back({"explain", watch.lap_ms()});
+    }
+    result.models = snapshot.size();
+    result.revision = snapshot.revision();
+}
+
+Result<void> check_rank_options(const RankOptions& options) {
+    if (!(options.pose >= 0.0 && options.pose <= 1.0)) {
+        return {ErrorCode::kInvalidArgument,
+                "pose: " + std::to_string(options.pose) + ", expected a number from 0 to 1"};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Comparison> compare_meshes(const TriangleMesh& a, const TriangleMesh& b,
+                                  const IndexParameters& parameters, const RankOptions& options,
+                                  std::stop_token stop) {
+    if (const auto checked = check_rank_options(options); !checked) return checked.error();
+    auto first = describe(a, describe_options(parameters), stop);
+    if (!first) return first.error();
+    auto second = describe(b, describe_options(parameters), stop);
+    if (!second) return second.error();
+    Comparison comparison;
+    comparison.match = explain(first->descriptor, second->descriptor, {}, options);
+    comparison.a.skeleton =
+        with_chain_codes(std::move(first->skeleton), first->descriptor.skeleton);
+    comparison.b.skeleton =
+        with_chain_codes(std::move(second->skeleton), second->descriptor.skeleton);
+    return comparison;
+}
+
+struct Searcher::Impl {
+    explicit Impl(Store opened) : store(std::move(opened)) {}
+
+    Store store;
+    std::mutex mutex;  ///< of `current`
+    std::shared_ptr<const Snapshot> current;
+};
+
+Searcher::Searcher(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Searcher::Searcher(Searcher&&) noexcept = default;
+Searcher& Searcher::operator=(Searcher&&) noexcept = default;
+Searcher::~Searcher() = default;
+
+Result<Searcher> Searcher::open(const std::filesystem::path& path, Access access) {
+    auto store = Store::open(path, access);
+    if (!store) return store.error();
+    const int pipeline = store->parameters().pipeline;
+    if (pipeline != kPipelineVersion) {
+        return {ErrorCode::kIndexParameters,
+                path.string() + ": models described by version " + std::to_string(pipeline) +
+                    " of the pipeline, this program is version " +
+                    std::to_string(kPipelineVersion) + "; index them into a new file"};
+    }
+    return Searcher(std::make_unique<Impl>(*std::move(store)));
+}
+
+Store& Searcher::store() { return impl_->store; }
+
+Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
+    const std::lock_guard lock(impl_->mutex);
+    if (impl_->current) {
+        const auto state = impl_->store.collection_state();
+        if (!state) return state.error();
+        if (*state == impl_->current->state()) return impl_->current;
+    }
+    auto loaded = Snapshot::load(impl_->store, impl_->current.get());
+    if (loaded) impl_->current = *loaded;
+    return loaded;
+}
+
+Result<SearchResult> Searcher::search(const TriangleMesh& query, const SearchOptions& options,
+                                      std::stop_token stop) {
+    if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
+    const Stopwatch total;
+    const auto loaded = snapshot();
+    if (!loaded) return loaded.error();
+    auto description = describe(query, describe_options(impl_->store.parameters()), stop);
+    if (!description) return description.error();
+    if (stop.stop_requested()) return {ErrorCode::kCancelled, "the search was given up"};
+    SearchResult result;
+    result.stages_ms = std::move(description->stage_times);
+    result.warnings = std::move(description->warnings);
+    find_hits(**loaded, description->descriptor, options, 0, result);
+    result.query_skeleton =
+        with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
+    result.took_ms = total.elapsed_ms();
+    return result;
+}
+
+Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options) {
+    if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
+    const Stopwatch total;
+    auto found = consistent({id});
+    if (!found) return found.error();
+    const Snapshot& models = *found->snapshot;
+    const std::size_t position = *models.find(id);
+    SearchResult result;
+    find_hits(models, *models.descriptors()[position], options, id, result);
+    result.query_skeleton = std::move(found->skeletons.front());
+    result.warnings = models.models()[position].warnings;
+    result.took_ms = total.elapsed_ms();
+    return result;
+}
+
+Result<Comparison> Searcher::compare(ModelId a, ModelId b, const RankOptions& options) {
+    if (const auto checked = check_rank_options(options); !checked) return checked.error();
+    auto found = consistent({a, b});
+    if (!found) return found.error();
+    const Snapshot& models = *found->snapshot;
+    const std::size_t first = *models.find(a);
+    const std::size_t second = *models.find(b);
+    Comparison comparison;
+    comparison.a = {models.models()[first], std::move(found->skeletons[0])};
+    comparison.b = {models.models()[second], std::move(found->skeletons[1])};
+    comparison.match = explain(*models.descriptors()[first], *models.descriptors()[second],
+                               models.statistics(), options);
+    return comparison;
+}
+
+Result<Searcher::Consistent> Searcher::consistent(const std::vector<ModelId>& ids) {
+    // A model may be replaced between the snapshot and the reading of its skeleton, whose nodes
+    // would then not be those of the descriptor.
+    for (int attempt = 0;; ++attempt) {
+        Consistent found;
+        const auto loaded = snapshot();
+        if (!loaded) return loaded.error();
+        found.snapshot = *loaded;
+        for (const ModelId id : ids) {
+            const auto position = found.snapshot->find(id);
+            if (!position) {
+                return {ErrorCode::kModelNotFound,
+                        impl_->store.path().string() + ": no model with id " + std::to_string(id)};
+            }
+            auto skeleton = impl_->store.skeleton(id);
+            if (!skeleton && attempt >= 3) return skeleton.error();
+            if (!skeleton) break;
+            const auto& descriptor = found.snapshot->descriptors()[*position]->skeleton;
+            if (skeleton->graph.nodes.size() != descriptor.nodes.size() ||
+                skeleton->graph.branches.size() != descriptor.branches.size()) {
+                break;
+            }
+            found.skeletons.push_back(*std::move(skeleton));
+        }
+        const auto state = impl_->store.collection_state();
+        if (!state) return state.error();
+        const bool unchanged = *state == found.snapshot->state();
+        if (found.skeletons.size() == ids.size() && (unchanged || attempt >= 3)) return found;
+        if (attempt >= 10) {
+            return {ErrorCode::kIndexBusy, "the index changes faster than it can be read"};
+        }
+    }
+}
+
+}  // namespace ossuary::index
