@@ -97,10 +97,9 @@ export function searchForm(
     const limit = element(
         'select',
         { class: 'input', name: 'limit' },
-        limits.map((count) =>
-            element('option', { value: count, selected: count === parameters.limit }, count),
-        ),
+        limits.map((count) => element('option', { value: count }, count)),
     );
+    limit.value = String(parameters.limit);
     const rerank = element('input', {
         type: 'checkbox',
         name: 'rerank',

@@ -53,6 +53,8 @@ export function header(): Header {
             for (const link of links) {
                 if (link.page === route.page) {
                     link.node.setAttribute('aria-current', 'page');
+                } else if (link.page === 'home' && route.page === 'results') {
+                    link.node.setAttribute('aria-current', 'true');
                 } else {
                     link.node.removeAttribute('aria-current');
                 }

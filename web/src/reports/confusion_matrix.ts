@@ -65,15 +65,21 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
         ),
         mistakes.length > 0 &&
             element(
-                'p',
+                'div',
                 { class: 'mistakes' },
-                'Most often mistaken: ',
-                mistakes
-                    .map(
-                        ({ from, to, share }) => `${from} for ${to} (${Math.round(share * 100)} %)`,
-                    )
-                    .join(', '),
-                '.',
+                element('h3', {}, 'Most often mistaken'),
+                element(
+                    'ol',
+                    {},
+                    mistakes.map(({ from, to, share }) =>
+                        element(
+                            'li',
+                            {},
+                            element('span', {}, `${from} for ${to}`),
+                            element('span', { class: 'number' }, `${Math.round(share * 100)} %`),
+                        ),
+                    ),
+                ),
             ),
     );
 }

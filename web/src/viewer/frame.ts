@@ -20,24 +20,36 @@ export function boundsOf(points: Iterable<Point>): Bounds | null {
     return Number.isFinite(bounds.min[0]) ? bounds : null;
 }
 
-/** A point or nothing at all is framed without scaling, so that no infinity gets further. */
-export function frameOf(bounds: Bounds | null): Frame {
+function* vertices(mesh: PreviewMesh): Generator<Point> {
+    const { positions } = mesh;
+    for (let at = 0; at + 2 < positions.length; at += 3) {
+        yield [positions[at] ?? 0, positions[at + 1] ?? 0, positions[at + 2] ?? 0];
+    }
+}
+
+/**
+ * The smallest sphere around the middle of the bounding box. A point, or nothing at all, is framed
+ * without scaling, so that no infinity gets further.
+ */
+export function frameOf(points: readonly Point[]): Frame {
+    const bounds = boundsOf(points);
     if (!bounds) {
         return { center: [0, 0, 0], scale: 1 };
     }
-    const size = bounds.max.map((high, axis) => high - (bounds.min[axis] ?? 0));
-    const radius = Math.hypot(...size) / 2;
-    return {
-        center: bounds.max.map((high, axis) => (high + (bounds.min[axis] ?? 0)) / 2) as Point,
-        scale: radius > 0 && Number.isFinite(radius) ? 1 / radius : 1,
-    };
+    const { min, max } = bounds;
+    const center: Point = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+    let radius = 0;
+    for (const [x, y, z] of points) {
+        radius = Math.max(radius, Math.hypot(x - center[0], y - center[1], z - center[2]));
+    }
+    return { center, scale: radius > 0 && Number.isFinite(1 / radius) ? 1 / radius : 1 };
 }
 
 /** The mesh decides where there is one; a skeleton alone is framed by its own points. */
 export function frameModel(mesh: PreviewMesh | null, skeleton: Skeleton): Frame {
     if (mesh && mesh.triangles.length > 0) {
-        return frameOf(mesh.bounds);
+        return frameOf([...vertices(mesh)]);
     }
     const lines = skeleton.branches.flatMap((branch) => branch.points);
-    return frameOf(boundsOf([...lines, ...skeleton.nodes.map((node) => node.position)]));
+    return frameOf([...lines, ...skeleton.nodes.map((node) => node.position)]);
 }

@@ -1,0 +1,124 @@
+import { describe, expect, it, vi } from 'vitest';
+
+import { createClient, evaluationPath, thumbnailPath } from '../../src/api/client';
+import { ApiError } from '../../src/api/problem';
+import { kSearchDefaults } from '../../src/api/search_parameters';
+import { searchResult } from '../sample';
+
+function answering(body: unknown, init: ResponseInit = {}) {
+    return vi.fn(
+        async (_path: string | URL | Request, _init?: RequestInit) =>
+            new Response(typeof body === 'string' ? body : JSON.stringify(body), init),
+    );
+}
+
+function asked(fetch: ReturnType<typeof answering>): { path: URL; init: RequestInit } {
+    const [path, init] = fetch.mock.calls[0] ?? [];
+    return { path: new URL(String(path), 'http://server'), init: init ?? {} };
+}
+
+describe('the client', () => {
+    it('uploads the file under its own name and asks for its mesh', async () => {
+        const fetch = answering(searchResult());
+        const file = new File(['OFF\n0 0 0\n'], 'elephant.off');
+        const result = await createClient({ fetch }).search(file, {
+            ...kSearchDefaults,
+            pose: 0.4,
+            className: 'four legs',
+        });
+        const { path, init } = asked(fetch);
+        expect(path.pathname).toBe('/v1/search');
+        expect(path.searchParams.get('include')).toBe('mesh');
+        expect(path.searchParams.get('pose')).toBe('0.4');
+        expect(path.searchParams.get('class')).toBe('four legs');
+        expect(init.method).toBe('POST');
+        const sent = (init.body as FormData).get('model') as File;
+        expect(sent.name).toBe('elephant.off');
+        expect(await sent.text()).toBe('OFF\n0 0 0\n');
+        expect(result.hits).toHaveLength(2);
+    });
+
+    it('sends filters only where they are set', async () => {
+        const fetch = answering({ models: [], next_cursor: null, total: 0, revision: 1 });
+        const client = createClient({ fetch, base: 'http://other' });
+        await client.models({});
+        expect([...asked(fetch).path.searchParams.keys()]).toEqual(['limit']);
+        fetch.mockClear();
+        await client.models({ name: 'a b', className: 'c&d', cursor: 'x=' });
+        const { path } = asked(fetch);
+        expect(path.origin).toBe('http://other');
+        expect(path.searchParams.get('name')).toBe('a b');
+        expect(path.searchParams.get('class')).toBe('c&d');
+        expect(path.searchParams.get('cursor')).toBe('x=');
+    });
+
+    it.each([
+        ['model', '/v1/models/7'],
+        ['mesh', '/v1/models/7/mesh'],
+        ['skeleton', '/v1/models/7/skeleton'],
+    ] as const)('asks for the %s of a model', async (method, path) => {
+        const fetch = answering({});
+        await createClient({ fetch })[method](7);
+        expect(asked(fetch).path.pathname).toBe(path);
+    });
+
+    it('turns a problem document into an ApiError with its code', async () => {
+        const fetch = answering(
+            { title: 'No', status: 404, detail: 'no model 7', code: 'model_not_found' },
+            { status: 404, headers: { 'Content-Type': 'application/problem+json' } },
+        );
+        const failure = await createClient({ fetch })
+            .model(7)
+            .catch((error: unknown) => error);
+        expect(failure).toBeInstanceOf(ApiError);
+        expect((failure as ApiError).code).toBe('model_not_found');
+    });
+
+    it.each([
+        ['a page of HTML', '<html>502</html>', { status: 502 }],
+        ['no JSON in spite of 200', 'hello', { status: 200 }],
+        ['JSON that is no object', '3', { status: 200 }],
+    ])('does not trust %s', async (_, body, init) => {
+        const fetch = answering(body, { ...init, headers: { 'X-Request-Id': 'r-9' } });
+        const failure = await createClient({ fetch })
+            .evaluation('hybrid')
+            .catch((error: unknown) => error);
+        expect((failure as ApiError).code).toBe('unexpected_answer');
+        expect((failure as ApiError).requestId).toBe('r-9');
+    });
+
+    it('says that the server is unreachable where the connection fails', async () => {
+        const fetch = vi.fn(async () => Promise.reject(new TypeError('Failed to fetch')));
+        const failure = await createClient({ fetch })
+            .model(1)
+            .catch((error: unknown) => error);
+        expect((failure as ApiError).code).toBe('unreachable');
+    });
+
+    it('lets an abort through as an abort, before and while the body is read', async () => {
+        const abort = new DOMException('stopped', 'AbortError');
+        const early = vi.fn(async () => Promise.reject(abort));
+        await expect(createClient({ fetch: early }).model(1)).rejects.toBe(abort);
+        const late = vi.fn(async () => {
+            const response = new Response('{}');
+            response.json = () => Promise.reject(abort);
+            return response;
+        });
+        await expect(createClient({ fetch: late }).model(1)).rejects.toBe(abort);
+    });
+
+    it('passes the signal on', async () => {
+        const fetch = answering({});
+        const { signal } = new AbortController();
+        await createClient({ fetch }).skeleton(3, signal);
+        expect(asked(fetch).init.signal).toBe(signal);
+    });
+});
+
+describe('paths of pictures and reports', () => {
+    it('follow the interface', () => {
+        expect(thumbnailPath(7)).toBe('/v1/models/7/thumbnail.png');
+        expect(evaluationPath('chain-code', '.svg')).toBe('/v1/evaluations/chain-code.svg');
+        expect(evaluationPath('hybrid')).toBe('/v1/evaluations/hybrid');
+    });
+});

@@ -1,0 +1,71 @@
+import { describe, expect, it } from 'vitest';
+
+import {
+    decodeSearch,
+    encodeSearch,
+    encodeSearchBriefly,
+    kLimits,
+    kSearchDefaults,
+    type SearchParameters,
+} from '../../src/api/search_parameters';
+import { kRankers } from '../../src/api/types';
+
+function* variants(): Generator<SearchParameters> {
+    for (const ranker of kRankers) {
+        for (const pose of [0, 0.15, 0.35, 1]) {
+            for (const rerank of [false, true]) {
+                for (const className of ['', 'human', 'a & b=c#d/ü']) {
+                    yield { ranker, pose, rerank, limit: 48, className };
+                }
+            }
+        }
+    }
+}
+
+describe('search parameters', () => {
+    it('survive being encoded, in full and briefly', () => {
+        for (const parameters of variants()) {
+            for (const encode of [encodeSearch, encodeSearchBriefly]) {
+                const text = encode(parameters).toString();
+                expect(decodeSearch(new URLSearchParams(text))).toEqual(parameters);
+            }
+        }
+    });
+
+    it('leave nothing in the address where all are defaults', () => {
+        expect(encodeSearchBriefly(kSearchDefaults).size).toBe(0);
+        expect(encodeSearch(kSearchDefaults).get('ranker')).toBe('hybrid');
+    });
+
+    it('send no empty class, which the server would refuse', () => {
+        expect(encodeSearch(kSearchDefaults).has('class')).toBe(false);
+    });
+
+    it.each([
+        'ranker=fastest',
+        'ranker=',
+        'pose=abc',
+        'pose=',
+        'pose=NaN',
+        'limit=0',
+        'limit=-3',
+        'limit=2.5',
+        'limit=1e9',
+        'rerank=perhaps',
+        'unknown=1',
+    ])('become the defaults where the address makes no sense: %s', (address) => {
+        expect(decodeSearch(new URLSearchParams(address))).toEqual(kSearchDefaults);
+    });
+
+    it('hold the pose between 0 and 1', () => {
+        expect(decodeSearch(new URLSearchParams('pose=7')).pose).toBe(1);
+        expect(decodeSearch(new URLSearchParams('pose=-1')).pose).toBe(0);
+    });
+
+    it('offer only limits that the server takes', () => {
+        expect(kLimits).toContain(kSearchDefaults.limit);
+        for (const limit of kLimits) {
+            expect(decodeSearch(new URLSearchParams({ limit: String(limit) })).limit).toBe(limit);
+        }
+    });
+});

@@ -1,0 +1,61 @@
+import { afterEach, expect, it, vi } from 'vitest';
+
+import { unreachable } from '../../src/api/problem';
+import { type ComparisonDialog, comparisonDialog } from '../../src/gallery/comparison_dialog';
+import { clientWith, hit, kMesh, kSkeleton, searchResult, settled } from '../sample';
+
+let dialog: ComparisonDialog | null = null;
+
+afterEach(() => {
+    dialog?.dispose();
+    dialog = null;
+});
+
+function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn()) {
+    dialog = comparisonDialog(
+        {
+            query: searchResult().query,
+            queryMesh: kMesh,
+            hit: hit(1),
+            previousHref: null,
+            nextHref: '#/models/7/hits/102',
+            onClose,
+        },
+        clientWith(methods),
+    );
+    document.body.append(dialog.node);
+    dialog.open();
+    return dialog.node;
+}
+
+it('shows the matched branches of query and hit', async () => {
+    const node = opened({ mesh: async () => kMesh, skeleton: async () => kSkeleton });
+    await vi.waitFor(() => expect(node.querySelectorAll('.match-table tbody tr')).toHaveLength(1));
+    expect(node.querySelector('.comparison-body')?.hasAttribute('aria-busy')).toBe(false);
+});
+
+it('closes by its button, by Escape and by a press beside it', () => {
+    const onClose = vi.fn();
+    const node = opened({}, onClose);
+    node.querySelector<HTMLButtonElement>('[aria-label=Close]')?.click();
+    expect(onClose).toHaveBeenCalledTimes(1);
+    const cancel = new Event('cancel', { cancelable: true });
+    node.dispatchEvent(cancel);
+    expect(cancel.defaultPrevented).toBe(true);
+    expect(onClose).toHaveBeenCalledTimes(2);
+    node.dispatchEvent(new MouseEvent('click', { bubbles: true }));
+    expect(onClose).toHaveBeenCalledTimes(3);
+    node.querySelector('h2')?.dispatchEvent(new MouseEvent('click', { bubbles: true }));
+    expect(onClose).toHaveBeenCalledTimes(3);
+});
+
+it('shows the problem where the hit has gone', async () => {
+    const node = opened({
+        mesh: () => Promise.reject(unreachable()),
+        skeleton: async () => kSkeleton,
+    });
+    await settled();
+    await vi.waitFor(() =>
+        expect(node.querySelector('.notice-code')?.textContent).toBe('unreachable'),
+    );
+});

@@ -1,0 +1,78 @@
+import { describe, expect, it } from 'vitest';
+
+import {
+    kPartColors,
+    partClass,
+    partNames,
+    partShares,
+    partsBar,
+    partsLegend,
+} from '../../src/gallery/distance_parts';
+import { hit } from '../sample';
+
+describe('partShares', () => {
+    it('sums to one and keeps the proportions', () => {
+        const shares = partShares({ skeleton: 0.3, moments: 0.1 });
+        expect(shares.map(({ share }) => share)).toEqual([
+            expect.closeTo(0.75, 12),
+            expect.closeTo(0.25, 12),
+        ]);
+    });
+
+    it('gives no share to what is negative or no number, and divides nothing by zero', () => {
+        const shares = partShares({ a: -1, b: Number.NaN, c: 2, d: Number.POSITIVE_INFINITY });
+        expect(shares.map(({ share }) => share)).toEqual([0, 0, 1, 0]);
+        expect(partShares({ a: 0, b: 0 }).map(({ share }) => share)).toEqual([0, 0]);
+        expect(partShares({})).toEqual([]);
+    });
+
+    it('keeps the place of a part whatever order a hit names its parts in', () => {
+        const names = ['skeleton', 'moments', 'radius'];
+        const shares = partShares({ radius: 1, skeleton: 1 }, names);
+        expect(shares.map(({ name, index }) => [name, index])).toEqual([
+            ['skeleton', 0],
+            ['radius', 2],
+        ]);
+    });
+});
+
+describe('partNames', () => {
+    it('names each part once, in the order of appearance', () => {
+        const hits = [hit(1, { parts: { b: 1, a: 1 } }), hit(2, { parts: { a: 1, c: 1 } })];
+        expect(partNames(hits)).toEqual(['b', 'a', 'c']);
+    });
+});
+
+describe('partClass', () => {
+    it('is one of the style sheet’s for any index', () => {
+        for (let index = -1; index < 30; index++) {
+            const color = Number(/^part part-(\d+)$/.exec(partClass(index))?.[1]);
+            expect(color).toBeGreaterThanOrEqual(0);
+            expect(color).toBeLessThan(kPartColors);
+        }
+    });
+});
+
+describe('partsBar', () => {
+    it('says in words what it shows, and draws only what has a share', () => {
+        const bar = partsBar({ skeleton: 0.2, moments: 0 }, ['skeleton', 'moments'], 0.5);
+        expect(bar.getAttribute('aria-label')).toBe('skeleton 0.200, moments 0.000');
+        expect(bar.querySelectorAll('.part')).toHaveLength(1);
+    });
+
+    it('is never longer than its track', () => {
+        const length = (value: number) =>
+            partsBar({ a: 1 }, ['a'], value)
+                .querySelector<HTMLElement>('.parts-bar')
+                ?.style.getPropertyValue('--length');
+        expect(length(3)).toBe('1.0000');
+        expect(length(-3)).toBe('0.0000');
+    });
+});
+
+describe('partsLegend', () => {
+    it('names each part, and is not there without parts', () => {
+        expect(partsLegend(['chain_code'])?.textContent).toBe('chain code');
+        expect(partsLegend([])).toBeNull();
+    });
+});

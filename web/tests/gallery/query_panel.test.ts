@@ -1,0 +1,26 @@
+import { expect, it } from 'vitest';
+
+import { queryPanel } from '../../src/gallery/query_panel';
+import { kMesh, searchResult } from '../sample';
+
+it('shows figures and notes, and says plainly where there is no WebGL', async () => {
+    const panel = queryPanel();
+    const query = {
+        ...searchResult().query,
+        vertices: 12345,
+        warnings: [{ code: 'degenerate_face', count: 3, message: '3 degenerate faces' }],
+    };
+    await panel.show(query, kMesh);
+    expect(panel.node.textContent).toContain('12,345');
+    expect(panel.node.textContent).toContain('3 degenerate faces');
+    expect(panel.node.querySelector('.no-webgl')).not.toBeNull();
+    panel.dispose();
+});
+
+it('shows nothing any more after it was taken down', async () => {
+    const panel = queryPanel();
+    const shown = panel.show(searchResult().query, kMesh);
+    panel.dispose();
+    await shown;
+    expect(panel.node.querySelector('.no-webgl')).toBeNull();
+});

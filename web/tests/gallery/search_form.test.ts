@@ -1,0 +1,53 @@
+import { expect, it, vi } from 'vitest';
+
+import { kSearchDefaults, type SearchParameters } from '../../src/api/search_parameters';
+import { searchForm } from '../../src/gallery/search_form';
+import { KnownClasses } from '../../src/page/known_classes';
+
+const kOther: SearchParameters = {
+    ranker: 'chain-code',
+    pose: 0.8,
+    rerank: true,
+    limit: 96,
+    className: 'table',
+};
+
+it.each([kSearchDefaults, kOther, { ...kSearchDefaults, limit: 7 }])(
+    'shows the parameters that it was given: %j',
+    (parameters) => {
+        expect(searchForm(new KnownClasses(), { parameters }).parameters).toEqual(parameters);
+    },
+);
+
+it('tells of a choice once it is made', () => {
+    const onChange = vi.fn();
+    const { node } = searchForm(new KnownClasses(), { onChange });
+    document.body.append(node);
+    const pose = node.querySelector<HTMLInputElement>('[name=pose]');
+    if (!pose) {
+        throw new Error('no slider');
+    }
+    pose.value = '0.6';
+    pose.dispatchEvent(new Event('input', { bubbles: true }));
+    expect(onChange).not.toHaveBeenCalled();
+    expect(node.querySelector('output')?.textContent).toBe('0.60');
+    pose.dispatchEvent(new Event('change', { bubbles: true }));
+    expect(onChange).toHaveBeenCalledExactlyOnceWith({ ...kSearchDefaults, pose: 0.6 });
+    node.remove();
+});
+
+it('does not leave the page on Enter', () => {
+    const onChange = vi.fn();
+    const { node } = searchForm(new KnownClasses(), { parameters: kOther, onChange });
+    const submit = new Event('submit', { cancelable: true });
+    node.dispatchEvent(submit);
+    expect(submit.defaultPrevented).toBe(true);
+    expect(onChange).toHaveBeenCalledExactlyOnceWith(kOther);
+});
+
+it('labels every control', () => {
+    const { node } = searchForm(new KnownClasses());
+    for (const control of node.querySelectorAll('input, select')) {
+        expect(control.closest('label')?.textContent?.trim()).toBeTruthy();
+    }
+});

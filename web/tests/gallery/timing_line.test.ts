@@ -1,0 +1,16 @@
+import { expect, it } from 'vitest';
+
+import { timedStages, timingLine } from '../../src/gallery/timing_line';
+import { searchResult } from '../sample';
+
+it('says how many models were ranked in what time, and what the time went to', () => {
+    const text = timingLine(searchResult()).textContent;
+    expect(text).toContain('380 models ranked in 84 ms');
+    expect(text).toContain('thin 80 ms');
+});
+
+it('leaves out stages that did not run', () => {
+    expect(timedStages({ read: 0, thin: 3, rank: Number.NaN })).toEqual([['thin', 3]]);
+    const result = { ...searchResult(), stages_ms: {} };
+    expect(timingLine(result).querySelector('ul')).toBeNull();
+});

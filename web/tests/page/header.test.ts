@@ -1,0 +1,18 @@
+import { expect, it } from 'vitest';
+
+import { header } from '../../src/page/header';
+import { kHome, resultsOf } from '../../src/page/routes';
+
+it('marks the page that is shown, and only that', () => {
+    const { node, show } = header();
+    const current = () =>
+        [...node.querySelectorAll('nav a[aria-current]')].map((link) => link.textContent);
+    show(kHome);
+    expect(current()).toEqual(['Search']);
+    show({ page: 'reports' });
+    expect(current()).toEqual(['Reports']);
+    show(resultsOf({ kind: 'upload' }));
+    expect(current()).toEqual(['Search']);
+    show({ page: 'missing', path: '/x' });
+    expect(current()).toEqual([]);
+});

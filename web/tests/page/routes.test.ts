@@ -1,0 +1,84 @@
+import { describe, expect, it } from 'vitest';
+
+import { kSearchDefaults } from '../../src/api/search_parameters';
+import {
+    formatRoute,
+    kHome,
+    parseRoute,
+    type QuerySource,
+    type Route,
+    resultsOf,
+    sameQuery,
+} from '../../src/page/routes';
+
+function* routes(): Generator<Route> {
+    yield kHome;
+    yield { page: 'home', name: 'a b&c', className: 'four/legs #1?' };
+    yield { page: 'reports' };
+    const sources: QuerySource[] = [{ kind: 'upload' }, { kind: 'model', id: 7 }];
+    for (const source of sources) {
+        for (const hit of [null, 12]) {
+            yield resultsOf(source, kSearchDefaults, hit);
+            yield resultsOf(
+                source,
+                { ranker: 'chain-code', pose: 0.5, rerank: true, limit: 96, className: 'ü &=' },
+                hit,
+            );
+        }
+    }
+}
+
+describe('routes', () => {
+    it('survive the address bar', () => {
+        for (const route of routes()) {
+            expect(parseRoute(formatRoute(route))).toEqual(route);
+            // Browsers may hand the address over with its escapes as a URL has them.
+            const address = new URL(formatRoute(route), 'http://server/');
+            expect(parseRoute(address.hash)).toEqual(route);
+        }
+    });
+
+    it('are told apart by their addresses', () => {
+        const addresses = [...routes()].map(formatRoute);
+        expect(new Set(addresses).size).toBe(addresses.length);
+    });
+
+    it.each(['', '#', '#/', '/'])('take %j for the start page', (hash) => {
+        expect(parseRoute(hash)).toEqual(kHome);
+    });
+
+    it('have the documented addresses', () => {
+        expect(formatRoute(resultsOf({ kind: 'model', id: 7 }))).toBe('#/models/7');
+        expect(formatRoute(resultsOf({ kind: 'upload' }, kSearchDefaults, 12))).toBe(
+            '#/search/hits/12',
+        );
+        expect(parseRoute('#/reports')).toEqual({ page: 'reports' });
+    });
+
+    it.each([
+        '#/models',
+        '#/models/x',
+        '#/models/-1',
+        '#/models/1.5',
+        '#/models/99999999999999999999',
+        '#/models/7/hits',
+        '#/models/7/hits/x',
+        '#/models/7/hits/3/4',
+        '#/models/7/other/3',
+        '#/nothing',
+        '#/reports/deep',
+        '#/%E0%A4%A',
+    ])('say that %s is no page', (hash) => {
+        expect(parseRoute(hash).page).toBe('missing');
+    });
+});
+
+describe('sameQuery', () => {
+    it('compares the kind and the id', () => {
+        const seven: QuerySource = { kind: 'model', id: 7 };
+        expect(sameQuery(seven, { kind: 'model', id: 7 })).toBe(true);
+        expect(sameQuery(seven, { kind: 'model', id: 8 })).toBe(false);
+        expect(sameQuery(seven, { kind: 'upload' })).toBe(false);
+        expect(sameQuery({ kind: 'upload' }, { kind: 'upload' })).toBe(true);
+    });
+});

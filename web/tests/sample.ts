@@ -1,0 +1,202 @@
+import type { Client } from '../src/api/client';
+import type {
+    Evaluation,
+    Hit,
+    ModelSummary,
+    Point,
+    PreviewMesh,
+    SearchResult,
+    Skeleton,
+} from '../src/api/types';
+import type { Context } from '../src/page/context';
+import { KnownClasses } from '../src/page/known_classes';
+
+/** Small answers in the server's shapes, for tests that are not about their contents. */
+
+export function skeleton(lines: readonly Point[][]): Skeleton {
+    const nodes = lines.flatMap((line, index) =>
+        [line[0], line.at(-1)].map((position, end) => ({
+            id: 2 * index + end,
+            position: position ?? ([0, 0, 0] as Point),
+            radius: 0.1,
+            degree: 1,
+            significance: 1,
+        })),
+    );
+    const branches = lines.map((points, id) => ({
+        id,
+        a: 2 * id,
+        b: 2 * id + 1,
+        length: points.length - 1,
+        points,
+        radii: points.map(() => 0.1),
+        chain_code: '0'.repeat(Math.max(0, points.length - 1)),
+    }));
+    return { unit: 'model', nodes, branches };
+}
+
+export const kSkeleton = skeleton([
+    [
+        [0, 0, 0],
+        [1, 0, 0],
+        [2, 0, 0],
+        [3, 0, 0],
+    ],
+    [
+        [0, 0, 0],
+        [0, 1, 0],
+    ],
+]);
+
+export const kMesh: PreviewMesh = {
+    positions: [0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1],
+    triangles: [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3],
+    bounds: { min: [0, 0, 0], max: [3, 1, 1] },
+};
+
+export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSummary {
+    return {
+        id,
+        name: `model${id}`,
+        class: 'chair',
+        path: `models/model${id}.off`,
+        content_hash: '0'.repeat(32),
+        vertices: 10,
+        faces: 20,
+        nodes: 4,
+        branches: 2,
+        bounds: kMesh.bounds,
+        surface_area: 1,
+        indexed_at: '2026-01-01T00:00:00Z',
+        warnings: [],
+        ...fields,
+    };
+}
+
+export function hit(rank: number, fields: Partial<Hit> = {}): Hit {
+    return {
+        rank,
+        id: 100 + rank,
+        name: `hit${rank}`,
+        class: 'chair',
+        distance: rank / 10,
+        parts: { skeleton: rank / 20, moments: rank / 20 },
+        matched_nodes: 2,
+        match: {
+            nodes: [{ a: 0, b: 0, cost: 0.1 }],
+            branches: [{ a: 0, b: 1, cost: 0.1 }],
+            cluster_sizes: [2],
+        },
+        ...fields,
+    };
+}
+
+export function searchResult(hits: Hit[] = [hit(1), hit(2)]): SearchResult {
+    return {
+        took_ms: 84,
+        stages_ms: { read: 2, thin: 80, rank: 2 },
+        ranker: 'hybrid',
+        pose: 0.15,
+        rerank: false,
+        models: 380,
+        query: {
+            name: 'elephant',
+            vertices: 10,
+            faces: 20,
+            warnings: [],
+            skeleton: kSkeleton,
+            mesh: kMesh,
+        },
+        hits,
+    };
+}
+
+const kFigures = {
+    nearest_neighbor: 0.9,
+    first_tier: 0.6,
+    second_tier: 0.8,
+    e_measure: 0.5,
+    dcg: 0.85,
+    mean_average_precision: 0.7,
+};
+
+export function evaluation(fields: Partial<Evaluation> = {}): Evaluation {
+    return {
+        ...kFigures,
+        models: 40,
+        classes: 2,
+        ranker: 'hybrid',
+        rerank: false,
+        precision_recall: [
+            { recall: 0.5, precision: 0.9 },
+            { recall: 1, precision: 0.4 },
+        ],
+        per_class: {
+            table: { models: 20, ...kFigures },
+            ant: { models: 20, ...kFigures, nearest_neighbor: 1 },
+        },
+        confusion: {
+            classes: ['ant', 'table'],
+            values: [
+                [1, 0],
+                [0.2, 0.8],
+            ],
+        },
+        ...fields,
+    };
+}
+
+/** A server that was not expected to be asked. */
+function refuse(): Promise<never> {
+    return Promise.reject(new Error('not expected to be asked'));
+}
+
+export function clientWith(methods: Partial<Client>): Client {
+    return {
+        search: refuse,
+        similar: refuse,
+        models: refuse,
+        model: refuse,
+        mesh: refuse,
+        skeleton: refuse,
+        evaluation: refuse,
+        ...methods,
+    };
+}
+
+export interface RecordedContext extends Context {
+    visited: unknown[];
+    announced: string[];
+}
+
+export function contextWith(methods: Partial<Client>): RecordedContext {
+    const visited: unknown[] = [];
+    const announced: string[] = [];
+    return {
+        client: clientWith(methods),
+        classes: new KnownClasses(),
+        upload: null,
+        navigate: (route) => void visited.push(route),
+        rewrite: (route) => void visited.push(route),
+        announce: (message) => void announced.push(message),
+        visited,
+        announced,
+    };
+}
+
+/** Lets promises that are settled already do their work. */
+export async function settled(): Promise<void> {
+    for (let turn = 0; turn < 20; turn++) {
+        await Promise.resolve();
+    }
+    await new Promise((resolve) => setTimeout(resolve, 0));
+}
+
+/** Numbers that look random and are the same at each run. */
+export function randomNumbers(seed: number): () => number {
+    let state = seed;
+    return () => {
+        state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+        return state / 2 ** 32;
+    };
+}

@@ -1,0 +1,122 @@
+import { Box3, Mesh, type MeshStandardMaterial, type Object3D } from 'three';
+import { describe, expect, it, vi } from 'vitest';
+
+import { ModelScene } from '../../src/viewer/model_scene';
+import { readViewerTheme } from '../../src/viewer/theme';
+import { kMesh, kSkeleton } from '../sample';
+
+function meshes(root: Object3D): Mesh[] {
+    const found: Mesh[] = [];
+    root.traverse((object) => {
+        if (object instanceof Mesh) {
+            found.push(object);
+        }
+    });
+    return found;
+}
+
+function scene(colors: [number, string][] = [[0, '#ff0000']], mesh: typeof kMesh | null = kMesh) {
+    const input = { mesh, skeleton: kSkeleton, branchColors: new Map(colors) };
+    return new ModelScene(input, readViewerTheme());
+}
+
+function colorsOf(model: ModelScene): string[] {
+    return model.root.children
+        .filter((child): child is Mesh => child instanceof Mesh)
+        .map((tube) => (tube.material as MeshStandardMaterial).color.getHexString());
+}
+
+describe('ModelScene', () => {
+    it('fits the unit sphere, whatever the model’s own unit', () => {
+        for (const size of [1e-3, 1, 1e4]) {
+            const scaled = (values: readonly number[]) => values.map((value) => value * size);
+            const model = new ModelScene(
+                {
+                    mesh: { ...kMesh, positions: scaled(kMesh.positions) },
+                    skeleton: {
+                        ...kSkeleton,
+                        branches: kSkeleton.branches.map((branch) => ({
+                            ...branch,
+                            points: branch.points.map((point) => scaled(point) as typeof point),
+                        })),
+                        nodes: [],
+                    },
+                    branchColors: new Map(),
+                },
+                readViewerTheme(),
+            );
+            model.root.updateMatrixWorld(true);
+            const bounds = new Box3().setFromObject(model.root);
+            for (const corner of [...bounds.min.toArray(), ...bounds.max.toArray()]) {
+                expect(Math.abs(corner)).toBeLessThan(1.05);
+            }
+        }
+    });
+
+    it('colours matched branches, greys the others, and has a ball for each node', () => {
+        const model = scene();
+        expect(colorsOf(model)).toEqual(['ff0000', readViewerTheme().unmatched.slice(1)]);
+        const balls = meshes(model.root).filter((mesh) => mesh.geometry.type === 'SphereGeometry');
+        expect(balls).toHaveLength(kSkeleton.nodes.length);
+    });
+
+    it('thickens the branch that is pointed at, fades the others, and undoes both', () => {
+        const model = scene();
+        const [first, second] = model.root.children as [Mesh, Mesh];
+        const width = (mesh: Mesh) => {
+            mesh.geometry.computeBoundingBox();
+            const { min, max } = mesh.geometry.boundingBox ?? new Box3();
+            return max.z - min.z;
+        };
+        const before = width(first);
+        model.highlight(0);
+        expect(width(first)).toBeGreaterThan(1.3 * before);
+        expect((second.material as MeshStandardMaterial).opacity).toBeLessThan(1);
+        model.highlight(null);
+        expect(width(first)).toBeCloseTo(before, 9);
+        expect((second.material as MeshStandardMaterial).opacity).toBe(1);
+    });
+
+    it('ignores a branch that it does not have', () => {
+        const model = scene();
+        model.highlight(99);
+        for (const tube of model.root.children.slice(0, 2) as Mesh[]) {
+            expect((tube.material as MeshStandardMaterial).opacity).toBe(1);
+        }
+    });
+
+    it('stands without a mesh', () => {
+        expect(meshes(scene([], null).root)).toHaveLength(
+            kSkeleton.branches.length + kSkeleton.nodes.length,
+        );
+    });
+
+    it('gives all graphics memory back', () => {
+        const model = scene();
+        const resources = new Set(
+            meshes(model.root).flatMap((mesh) => [
+                mesh.geometry,
+                mesh.material as MeshStandardMaterial,
+            ]),
+        );
+        const disposed = [...resources].map((resource) => vi.spyOn(resource, 'dispose'));
+        model.dispose();
+        for (const dispose of disposed) {
+            expect(dispose).toHaveBeenCalledOnce();
+        }
+        expect(model.root.children).toHaveLength(0);
+    });
+
+    it('hides surface and nodes on demand', () => {
+        const model = scene();
+        model.surfaceVisible = false;
+        model.nodesVisible = false;
+        expect(model.root.children.filter((child) => !child.visible)).toHaveLength(2);
+    });
+
+    it('offers its polylines for picking', () => {
+        const lines = scene().branchLines;
+        expect(lines.map(({ id }) => id)).toEqual([0, 1]);
+        expect(lines[0]?.points).toHaveLength(4);
+    });
+});

@@ -1,0 +1,11 @@
+import { expect, it } from 'vitest';
+
+import { noWebGlNotice, queryView } from '../../src/viewer/query_view';
+import { kMesh, kSkeleton } from '../sample';
+
+it('says plainly that there is no 3D picture without WebGL', () => {
+    const view = queryView('elephant', kSkeleton, kMesh);
+    expect(view.node.textContent).toBe(noWebGlNotice().textContent);
+    expect(view.node.textContent).toContain('WebGL');
+    expect(() => view.dispose()).not.toThrow();
+});
