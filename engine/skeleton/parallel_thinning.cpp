@@ -16,10 +16,14 @@ public:
     explicit ParallelThinning(const BitVolume& solid)
         : object_(solid),
           listed_(object_.shape()),
+          exposed_(object_.shape()),
           candidates_(object_.shape()),
           steps_(object_.shape().neighbor_steps()) {
-        for_each_voxel(border(solid),
-                       [&](const Vec3i& position) { list(object_.shape().index(position)); });
+        for_each_voxel(border(solid), [&](const Vec3i& position) {
+            const VoxelIndex v = object_.shape().index(position);
+            exposed_.set(v);
+            list(v);
+        });
     }
 
     ThinningGrid run() {
@@ -90,14 +94,17 @@ private:
 
     /// Deletes voxels and lists what is exposed around them.
     void remove(const std::vector<VoxelIndex>& voxels) {
-        for (const VoxelIndex v : voxels) object_.reset(v);
         for (const VoxelIndex v : voxels) {
-            const Neighborhood fresh =
-                object_.neighborhood(v) & ~listed_.neighborhood(v) & k26Neighbors;
-            for_each_bit(fresh, [&](int bit) {
-                const VoxelIndex n = moved(v, steps_[static_cast<std::size_t>(bit)]);
-                if ((object_.neighborhood(n) & kFaceNeighbors) != kFaceNeighbors) list(n);
+            object_.reset(v);
+            for_each_bit(object_.neighborhood(v) & kFaceNeighbors, [&](int bit) {
+                exposed_.set(moved(v, steps_[static_cast<std::size_t>(bit)]));
             });
+        }
+        for (const VoxelIndex v : voxels) {
+            const Neighborhood fresh = object_.neighborhood(v) & exposed_.neighborhood(v) &
+                                       ~listed_.neighborhood(v) & k26Neighbors;
+            for_each_bit(fresh,
+                         [&](int bit) { list(moved(v, steps_[static_cast<std::size_t>(bit)])); });
         }
         std::erase_if(border_, [&](VoxelIndex v) { return !object_.test(v); });
     }
@@ -105,6 +112,7 @@ private:
     const SimplePointTest& is_simple_ = SimplePointTest::shared();
     ThinningGrid object_;
     ThinningGrid listed_;
+    ThinningGrid exposed_;  ///< has had a background face: nothing else can be a candidate
     ThinningGrid candidates_;
     std::array<std::int32_t, 27> steps_;
     std::vector<VoxelIndex> border_;
