@@ -1,39 +1,53 @@
 #include "engine/mesh/cluster_vertices.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
 namespace {
 
+constexpr std::uint32_t kFree = 0xFFFFFFFFu;
+constexpr int kFinest = 1024;
+
+std::size_t slot_of(std::uint64_t key, std::size_t slots) {
+    key *= 0x9E3779B97F4A7C15u;
+    return (key ^ (key >> 32)) & (slots - 1);
+}
+
 struct Clusters {
     std::vector<std::uint32_t> of_vertex;
     std::uint32_t count = 0;
 };
 
-/// Numbers the occupied cells in the order of their position.
+/// Numbers the occupied cells as the vertices come to them.
 Clusters assign_cells(const TriangleMesh& mesh, const Box3& bounds, int cells_along) {
     const double scale = cells_along / bounds.sizes().maxCoeff();
-    std::vector<std::uint64_t> cell(mesh.vertices.size());
-    for (std::size_t v = 0; v < cell.size(); ++v) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double at = std::floor((mesh.vertices[v][axis] - bounds.min()[axis]) * scale);
-            const double inside = std::clamp(at, 0.0, static_cast<double>(cells_along - 1));
-            cell[v] = cell[v] * 1024 + static_cast<std::uint64_t>(inside);
-        }
-    }
-    std::vector<std::uint64_t> occupied = cell;
-    std::sort(occupied.begin(), occupied.end());
-    occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+    struct Slot {
+        std::uint32_t cell = 0;
+        std::uint32_t cluster = kFree;
+    };
+    std::vector<Slot> table(std::bit_ceil(2 * mesh.vertices.size() + 1));
     Clusters clusters;
-    clusters.count = static_cast<std::uint32_t>(occupied.size());
-    clusters.of_vertex.reserve(cell.size());
-    for (const std::uint64_t key : cell) {
-        const auto found = std::lower_bound(occupied.begin(), occupied.end(), key);
-        clusters.of_vertex.push_back(static_cast<std::uint32_t>(found - occupied.begin()));
+    clusters.of_vertex.reserve(mesh.vertices.size());
+    for (const Vec3& vertex : mesh.vertices) {
+        std::uint32_t cell = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double at = (vertex[axis] - bounds.min()[axis]) * scale;
+            const double inside = std::clamp(at, 0.0, static_cast<double>(cells_along - 1));
+            cell = cell * kFinest + static_cast<std::uint32_t>(inside);
+        }
+        std::size_t slot = slot_of(cell, table.size());
+        while (table[slot].cluster != kFree && table[slot].cell != cell) {
+            slot = (slot + 1) & (table.size() - 1);
+        }
+        if (table[slot].cluster == kFree) table[slot] = {cell, clusters.count++};
+        clusters.of_vertex.push_back(table[slot].cluster);
     }
     return clusters;
 }
@@ -41,32 +55,28 @@ Clusters assign_cells(const TriangleMesh& mesh, const Box3& bounds, int cells_al
 /// The triangles that survive, each once whatever its orientation, in the order of the input.
 std::vector<TriangleMesh::Triangle> surviving_triangles(const TriangleMesh& mesh,
                                                         const Clusters& clusters) {
-    struct Candidate {
-        TriangleMesh::Triangle sorted;
-        TriangleMesh::Triangle triangle;
-        std::uint32_t order;
-    };
-    std::vector<Candidate> candidates;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        TriangleMesh::Triangle triangle = mesh.triangles[t];
-        for (std::uint32_t& vertex : triangle) vertex = clusters.of_vertex[vertex];
-        TriangleMesh::Triangle sorted = triangle;
-        std::sort(sorted.begin(), sorted.end());
-        if (sorted[0] == sorted[1] || sorted[1] == sorted[2]) continue;
-        candidates.push_back({sorted, triangle, t});
-    }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-        return a.sorted != b.sorted ? a.sorted < b.sorted : a.order < b.order;
-    });
-    candidates.erase(
-        std::unique(candidates.begin(), candidates.end(),
-                    [](const Candidate& a, const Candidate& b) { return a.sorted == b.sorted; }),
-        candidates.end());
-    std::sort(candidates.begin(), candidates.end(),
-              [](const Candidate& a, const Candidate& b) { return a.order < b.order; });
     std::vector<TriangleMesh::Triangle> triangles;
-    triangles.reserve(candidates.size());
-    for (const Candidate& candidate : candidates) triangles.push_back(candidate.triangle);
+    std::vector<TriangleMesh::Triangle> sorted;
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.triangles.size() + 1), kFree);
+    for (TriangleMesh::Triangle triangle : mesh.triangles) {
+        for (std::uint32_t& vertex : triangle) vertex = clusters.of_vertex[vertex];
+        TriangleMesh::Triangle key = triangle;
+        if (key[0] > key[1]) std::swap(key[0], key[1]);
+        if (key[1] > key[2]) std::swap(key[1], key[2]);
+        if (key[0] > key[1]) std::swap(key[0], key[1]);
+        if (key[0] == key[1] || key[1] == key[2]) continue;
+        const std::uint64_t hash =
+            (key[0] * std::uint64_t{0x9E3779B1} + key[1]) * std::uint64_t{0x85EBCA77C2B2AE63} +
+            key[2];
+        std::size_t slot = slot_of(hash, table.size());
+        while (table[slot] != kFree && sorted[table[slot]] != key) {
+            slot = (slot + 1) & (table.size() - 1);
+        }
+        if (table[slot] != kFree) continue;
+        table[slot] = static_cast<std::uint32_t>(triangles.size());
+        triangles.push_back(triangle);
+        sorted.push_back(key);
+    }
     return triangles;
 }
 
@@ -95,17 +105,29 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     TriangleMesh coarse;
     const MeshMeasures measures = measure(mesh);
     if (mesh.empty() || !(measures.bounds.sizes().maxCoeff() > 0)) return coarse;
-    int fits = 0;  // cells along the longest side
-    int too_fine = 1025;
+    // The number of triangles grows with the square of the cells along a side, which makes each
+    // guess a good one: four to six grids are tried, where halving the interval took ten.
+    const double side = measures.bounds.sizes().maxCoeff();
+    const double wanted = 0.97 * static_cast<double>(max_triangles);
+    double guess = side * std::sqrt(wanted / (2.0 * measures.surface_area + 1e-300));
+    int fits = 0;
+    int too_fine = kFinest + 1;
     while (too_fine - fits > 1) {
-        const int cells = (fits + too_fine) / 2;
+        const double inside = std::clamp(guess, fits + 1.0, too_fine - 1.0);
+        const int cells = static_cast<int>(inside);
         const Clusters clusters = assign_cells(mesh, measures.bounds, cells);
-        (surviving_triangles(mesh, clusters).size() <= max_triangles ? fits : too_fine) = cells;
+        std::vector<TriangleMesh::Triangle> triangles = surviving_triangles(mesh, clusters);
+        const auto count = static_cast<double>(triangles.size());
+        guess = cells * std::sqrt(wanted / std::max(1.0, count));
+        if (triangles.size() > max_triangles) {
+            too_fine = cells;
+            continue;
+        }
+        fits = cells;
+        coarse.triangles = std::move(triangles);
+        coarse.vertices = representatives(mesh, clusters);
+        if (count > 0.93 * static_cast<double>(max_triangles)) break;
     }
-    if (fits == 0) return coarse;
-    const Clusters clusters = assign_cells(mesh, measures.bounds, fits);
-    coarse.triangles = surviving_triangles(mesh, clusters);
-    coarse.vertices = representatives(mesh, clusters);
     coarse.face_count = static_cast<std::uint32_t>(coarse.triangles.size());
     coarse.face_of_triangle.resize(coarse.triangles.size());
     std::iota(coarse.face_of_triangle.begin(), coarse.face_of_triangle.end(), 0u);

@@ -13,6 +13,20 @@ struct Entry {
     }
 };
 
+/// Most vertices have a handful of entries, for which insertion beats std::sort by far.
+void sort_entries(std::span<Entry> entries) {
+    if (entries.size() > 24) {
+        std::sort(entries.begin(), entries.end());
+        return;
+    }
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+        const Entry entry = entries[i];
+        std::size_t at = i;
+        for (; at > 0 && entry < entries[at - 1]; --at) entries[at] = entries[at - 1];
+        entries[at] = entry;
+    }
+}
+
 bool names_a_vertex_twice(const TriangleMesh::Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
@@ -46,7 +60,7 @@ EdgeTable build_edge_table(const TriangleMesh& mesh) {
     table.sides.reserve(entries.size());
     table.edges.reserve(entries.size() / 2 + 1);
     for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-        std::sort(entries.begin() + begin[v], entries.begin() + begin[v + 1]);
+        sort_entries({entries.data() + begin[v], entries.data() + begin[v + 1]});
         for (std::uint32_t i = begin[v]; i < begin[v + 1]; ++i) {
             if (i == begin[v] || entries[i].larger != entries[i - 1].larger) {
                 table.edges.push_back({v, entries[i].larger, i, 0});

@@ -18,8 +18,8 @@ struct ReadMeshOptions {
     std::uint32_t max_faces = 10'000'000;
     std::uint32_t max_face_corners = 10'000;
     std::uint32_t max_triangles = 20'000'000;  ///< after triangulation
-    /// Larger magnitudes are refused like infinities: areas and volumes would overflow.
-    double max_coordinate = 1e100;
+    /// Larger magnitudes are refused like infinities: squares of areas would overflow.
+    double max_coordinate = 1e70;
 };
 
 struct ReadMeshResult {

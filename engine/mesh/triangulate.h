@@ -19,7 +19,7 @@ class PolygonTriangulator {
 public:
     /// `max_work` bounds the point-in-triangle tests over the lifetime of the object; polygons that
     /// come after it is spent become fans.
-    explicit PolygonTriangulator(std::uint64_t max_work = 1'000'000'000) : work_left_(max_work) {}
+    explicit PolygonTriangulator(std::uint64_t max_work = 300'000'000) : work_left_(max_work) {}
 
     /// Appends the triangles of `polygon`, at least three indices into `vertices`.
     void append(std::span<const std::uint32_t> polygon, const std::vector<Vec3>& vertices,

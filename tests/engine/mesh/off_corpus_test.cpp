@@ -1,0 +1,125 @@
+#include "tests/engine/mesh/off_corpus.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/mesh/measures.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/mesh/write_mesh.h"
+
+namespace ossuary::test {
+namespace {
+
+std::map<std::string, std::size_t> counted(const std::vector<MeshWarning>& warnings) {
+    std::map<std::string, std::size_t> counts;
+    for (const MeshWarning& warning : warnings) counts[warning.code] += warning.count;
+    return counts;
+}
+
+std::string case_name(const testing::TestParamInfo<OffCase>& info) { return info.param.name; }
+
+class OffCorpusGood : public testing::TestWithParam<OffCase> {};
+
+TEST_P(OffCorpusGood, IsReadAsExpected) {
+    const OffCase& expected = GetParam();
+    const Result<ReadMeshResult> read = read_mesh(expected.bytes, expected.name);
+    ASSERT_TRUE(read) << read.error().message;
+    const TriangleMesh& mesh = read->mesh;
+    EXPECT_EQ(mesh.vertices.size(), expected.vertices);
+    EXPECT_EQ(mesh.face_count, expected.faces);
+    EXPECT_EQ(mesh.triangles.size(), expected.triangles);
+    EXPECT_EQ(counted(read->warnings), expected.warnings);
+    ASSERT_EQ(mesh.face_of_triangle.size(), mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        EXPECT_LT(mesh.face_of_triangle[t], mesh.face_count);
+        for (const std::uint32_t vertex : mesh.triangles[t])
+            EXPECT_LT(vertex, mesh.vertices.size());
+    }
+}
+
+TEST_P(OffCorpusGood, ComesBackTheSameAfterWriting) {
+    const Result<ReadMeshResult> read = read_mesh(GetParam().bytes, "original");
+    ASSERT_TRUE(read) << read.error().message;
+    const Result<ReadMeshResult> again = read_mesh(to_off(read->mesh), "written");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->mesh.triangles, read->mesh.triangles);
+    EXPECT_EQ(again->mesh.vertices, read->mesh.vertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusGood, testing::ValuesIn(off_cases("ok")), case_name);
+
+class OffCorpusBad : public testing::TestWithParam<OffCase> {};
+
+TEST_P(OffCorpusBad, IsRefusedAsExpected) {
+    const OffCase& expected = GetParam();
+    const Result<ReadMeshResult> read = read_mesh(expected.bytes, "folder/model.off");
+    ASSERT_FALSE(read);
+    const std::string& message = read.error().message;
+    EXPECT_EQ(to_string(read.error().code), expected.code) << message;
+    EXPECT_NE(message.find(expected.says), std::string::npos) << message;
+    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+    EXPECT_EQ(message.rfind("folder/model.off", 0), 0u) << message;
+    const std::string line = "line " + std::to_string(expected.line) + ":";
+    EXPECT_EQ(message.find(line) != std::string::npos, expected.line > 0) << message;
+    for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusBad, testing::ValuesIn(off_cases("bad")), case_name);
+
+// ---- every good file once more, written differently ----
+
+/// The text with each line end replaced.
+std::string with_newlines(const std::string& text, const std::string& newline) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+        if (text[i] == '\n' || text[i] == '\r') {
+            result += newline;
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
+TEST_P(OffCorpusGood, MeansTheSameWithOtherLineEndsAndComments) {
+    const std::string& bytes = GetParam().bytes;
+    const Result<ReadMeshResult> read = read_mesh(bytes, "original");
+    ASSERT_TRUE(read) << read.error().message;
+    for (const std::string newline : {"\n", "\r\n", "\r", "\n\n", " \n", " # 1 2 3 OFF\n"}) {
+        const Result<ReadMeshResult> other = read_mesh(with_newlines(bytes, newline), "variant");
+        ASSERT_TRUE(other) << other.error().message;
+        EXPECT_EQ(other->mesh.vertices, read->mesh.vertices);
+        EXPECT_EQ(other->mesh.triangles, read->mesh.triangles);
+        EXPECT_EQ(counted(other->warnings), counted(read->warnings));
+    }
+}
+
+TEST_P(OffCorpusGood, KeepsItsAreaWhenRotatedAndDuplicated) {
+    const Result<ReadMeshResult> read = read_mesh(GetParam().bytes, "original");
+    ASSERT_TRUE(read) << read.error().message;
+    TriangleMesh twice = read->mesh;
+    const auto count = static_cast<std::uint32_t>(twice.vertices.size());
+    const Mat3 rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (std::uint32_t v = 0; v < count; ++v) {
+        twice.vertices.push_back(rotation * twice.vertices[v]);
+    }
+    for (TriangleMesh::Triangle triangle : read->mesh.triangles) {
+        for (std::uint32_t& vertex : triangle) vertex += count;
+        twice.triangles.push_back(triangle);
+    }
+    const Result<ReadMeshResult> again = read_mesh(to_off(twice), "twice");
+    // A rotated diagonal may leave the range of coordinates that are taken.
+    if (!again && again.error().code == ErrorCode::kOffNonFinite) return;
+    ASSERT_TRUE(again) << again.error().message;
+    const MeshMeasures once = measure(read->mesh);
+    if (read->mesh.empty()) return;
+    // Far from the origin a coordinate's last digit is a length that counts.
+    const double furthest =
+        std::max(once.bounds.min().cwiseAbs().maxCoeff(), once.bounds.max().cwiseAbs().maxCoeff());
+    const double rounding = 1e-14 * furthest * once.diagonal;
+    EXPECT_NEAR(measure(again->mesh).surface_area, 2 * once.surface_area,
+                1e-9 * once.surface_area + rounding);
+}
+
+}  // namespace
+}  // namespace ossuary::test
