@@ -36,8 +36,7 @@ Ordered in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
 struct ExchangeCost {
     float code = 0.0F;
     float length = 0.0F;
-    float root_distance = 0.0F;
-    [[nodiscard]] float sum() const { return code + length + root_distance; }
+    [[nodiscard]] float sum() const { return code + length; }
 };
 
 }  // namespace
@@ -77,14 +76,19 @@ public:
         std::size_t tree_b = 0;
     };
 
-    /// The cheapest pairing of roots.
+    /// The cheapest pairing of roots: the edit distance of their trees over the trees' weight.
     Best best() {
         assert(!a_.trees.empty() && !b_.trees.empty());
+        buffers_.edit.solve(problem());
         Best best;
         bool first = true;
         for (std::size_t i = 0; i < a_.trees.size(); ++i) {
             for (std::size_t j = 0; j < b_.trees.size(); ++j) {
-                const float distance = compare(a_.trees[i], b_.trees[j]);
+                const RootedTree& a = a_.trees[i];
+                const RootedTree& b = b_.trees[j];
+                const float weight = a.total_weight + b.total_weight;
+                const float cost = buffers_.edit.distance(a.merged.back(), b.merged.back());
+                const float distance = weight > 0.0F ? cost / weight : 0.0F;
                 if (first || distance < best.distance) best = {distance, i, j};
                 first = false;
             }
@@ -92,23 +96,22 @@ public:
         return best;
     }
 
-    /// Edit distance of two trees over their total weight.
-    float compare(const RootedTree& a, const RootedTree& b) {
-        const float weight = a.total_weight + b.total_weight;
-        if (weight <= 0.0F) return 0.0F;
-        return buffers_.edit.distance(problem(a, b)) / weight;
-    }
-
-    /// The pairs that the last `compare` exchanged.
-    void exchanged(const RootedTree& a, const RootedTree& b, std::vector<TreeEdit::Pair>& pairs) {
-        const TreeEditProblem same{a.shape, b.shape, buffers_.remove_a, buffers_.remove_b,
-                                   buffers_.exchange};
-        buffers_.edit.exchanged(same, pairs);
+    /// The nodes that the pairing exchanges, as indices into the two trees, parents first.
+    std::vector<TreeEdit::Pair> exchanged(const RootedTree& a, const RootedTree& b) {
+        std::vector<TreeEdit::Pair> pairs;
+        buffers_.edit.exchanged(as_problem(), {a.merged.back(), b.merged.back()}, pairs);
+        const std::vector<std::uint32_t> place_a = places(a, a_.merged.nodes.size());
+        const std::vector<std::uint32_t> place_b = places(b, b_.merged.nodes.size());
+        for (auto& [i, j] : pairs) {
+            i = place_a[i];
+            j = place_b[j];
+        }
+        return pairs;
     }
 
     /// Per unit of weight; nothing where removing both is no dearer.
-    std::optional<ExchangeCost> exchange_cost(const RootedTree::Node& a,
-                                              const RootedTree::Node& b) {
+    [[nodiscard]] std::optional<ExchangeCost> exchange_cost(const MergedTrees::Node& a,
+                                                            const MergedTrees::Node& b) const {
         const bool a_is_root = a.piece == kNoIndex;
         if (a_is_root != (b.piece == kNoIndex)) return std::nullopt;
         ExchangeCost cost;
@@ -119,8 +122,6 @@ public:
         } else {
             cost.length = static_cast<float>(options_.length_weight) *
                           relative_difference(a_.pieces[a.piece].length, b_.pieces[b.piece].length);
-            cost.root_distance = static_cast<float>(options_.root_distance_weight) *
-                                 relative_difference(a.root_distance, b.root_distance);
             cost.code = code_cost(a.piece, b.piece);
         }
         if (cost.sum() >= static_cast<float>(options_.deletion)) return std::nullopt;
@@ -128,24 +129,39 @@ public:
     }
 
 private:
-    TreeEditProblem problem(const RootedTree& a, const RootedTree& b) {
+    TreeEditProblem problem() {
         const auto deletion = static_cast<float>(options_.deletion);
         buffers_.remove_a.clear();
         buffers_.remove_b.clear();
         buffers_.exchange.clear();
-        for (const auto& node : a.nodes) buffers_.remove_a.push_back(deletion * node.weight);
-        for (const auto& node : b.nodes) buffers_.remove_b.push_back(deletion * node.weight);
-        for (const auto& from : a.nodes) {
-            for (const auto& to : b.nodes) {
+        for (const auto& node : a_.merged.nodes) {
+            buffers_.remove_a.push_back(deletion * node.weight);
+        }
+        for (const auto& node : b_.merged.nodes) {
+            buffers_.remove_b.push_back(deletion * node.weight);
+        }
+        for (const auto& from : a_.merged.nodes) {
+            for (const auto& to : b_.merged.nodes) {
                 const std::optional<ExchangeCost> cost = exchange_cost(from, to);
                 const float rate = cost ? cost->sum() : deletion;
                 buffers_.exchange.push_back(rate * (from.weight + to.weight));
             }
         }
-        return {a.shape, b.shape, buffers_.remove_a, buffers_.remove_b, buffers_.exchange};
+        return as_problem();
     }
 
-    /// The same for all pairings of roots: a piece is a branch walked one way.
+    [[nodiscard]] TreeEditProblem as_problem() const {
+        return {a_.merged.shape, b_.merged.shape, buffers_.remove_a, buffers_.remove_b,
+                buffers_.exchange};
+    }
+
+    /// Where in `tree` each merged node is.
+    static std::vector<std::uint32_t> places(const RootedTree& tree, std::size_t merged_nodes) {
+        std::vector<std::uint32_t> place(merged_nodes, kNoIndex);
+        for (std::uint32_t i = 0; i < tree.merged.size(); ++i) place[tree.merged[i]] = i;
+        return place;
+    }
+
     void align_pieces() {
         const std::size_t columns = b_.pieces.size();
         const std::size_t needed = a_.pieces.size() * columns;
@@ -184,25 +200,22 @@ Match explain(Comparison& comparison, const RootedSkeletons& sa, const RootedSke
               const Comparison::Best& best) {
     const RootedTree& a = sa.trees[best.tree_a];
     const RootedTree& b = sb.trees[best.tree_b];
-    // The buffers hold the last pairing of roots; explaining needs the best.
     Match match;
-    match.distance = static_cast<double>(comparison.compare(a, b));
-    std::vector<TreeEdit::Pair> pairs;
-    comparison.exchanged(a, b, pairs);
-    std::sort(pairs.begin(), pairs.end(), std::greater<>());
+    match.distance = static_cast<double>(best.distance);
+    const std::vector<TreeEdit::Pair> pairs = comparison.exchanged(a, b);
 
-    double code = 0.0, length = 0.0, root_distance = 0.0;
+    double code = 0.0, length = 0.0;
     NodeClusters clusters(a.nodes.size());
     std::vector<std::uint32_t> partner(a.nodes.size(), kNoIndex);
     for (const auto& [i, j] : pairs) {
         const RootedTree::Node& from = a.nodes[i];
         const RootedTree::Node& to = b.nodes[j];
-        const std::optional<ExchangeCost> cost = comparison.exchange_cost(from, to);
+        const std::optional<ExchangeCost> cost =
+            comparison.exchange_cost(sa.merged.nodes[a.merged[i]], sb.merged.nodes[b.merged[j]]);
         if (!cost) continue;
         const double weight = static_cast<double>(from.weight) + to.weight;
         code += weight * cost->code;
         length += weight * cost->length;
-        root_distance += weight * cost->root_distance;
         const auto rate = static_cast<double>(cost->sum());
         if (from.piece != kNoIndex) {
             add_unique(match.correspondence.branches,
@@ -212,7 +225,6 @@ Match explain(Comparison& comparison, const RootedSkeletons& sa, const RootedSke
         match.correspondence.nodes.push_back({from.graph_node, to.graph_node, rate});
         clusters.add(i);
         partner[i] = j;
-        // Parents come first in `pairs`.
         if (from.piece != kNoIndex && partner[from.parent] == to.parent) {
             clusters.join(i, from.parent);
         }
@@ -220,10 +232,8 @@ Match explain(Comparison& comparison, const RootedSkeletons& sa, const RootedSke
     match.correspondence.cluster_sizes = clusters.sizes();
     const double total = static_cast<double>(a.total_weight) + b.total_weight;
     const double scale = total > 0.0 ? 1.0 / total : 0.0;
-    match.parts = {{"code", code * scale},
-                   {"length", length * scale},
-                   {"root_distance", root_distance * scale}};
-    const double explained = (code + length + root_distance) * scale;
+    match.parts = {{"code", code * scale}, {"length", length * scale}};
+    const double explained = (code + length) * scale;
     match.parts.push_back({"unmatched", std::max(0.0, match.distance - explained)});
     return match;
 }

@@ -14,9 +14,8 @@ struct SkeletonMatchOptions {
     double radius_weight = 0.7;
     double radius_gain = 3.0;
     double gap = 0.6;
-    double length_weight = 0.3;         ///< times |l - l'| / (l + l')
-    double root_distance_weight = 0.3;  ///< times |d - d'| / (d + d')
-    double deletion = 0.8;              ///< of a piece without a partner, times its length
+    double length_weight = 0.3;  ///< times |l - l'| / (l + l')
+    double deletion = 0.6;       ///< of a piece without a partner, times its length
     bool operator==(const SkeletonMatchOptions&) const = default;
 };
 
@@ -39,10 +38,11 @@ private:
 /// cheapest constrained unordered tree edit distance (Zhang, "A constrained edit distance between
 /// unordered labeled trees", Algorithmica 15, 1996) over the pairings of roots counts, divided by
 /// the total weight. A piece of branch is exchanged for another at the cost of aligning their
-/// direction codes plus the differences of length and root distance, weighted by both lengths. Zero
-/// for equal skeletons, symmetric bit by bit, at most max(deletion, 0) + root term, below 1. Free
-/// of scale and position, of rotation and mirroring, of numbering and direction of branches. The
-/// correspondence comes from backtracking; the two halves of a cut cycle are one branch.
+/// direction codes plus the difference of their lengths, weighted by both lengths.
+///
+/// Zero for equal skeletons, symmetric bit by bit, at most `deletion`. Free of scale and position,
+/// of rotation and mirroring, of numbering and direction of branches. The correspondence comes from
+/// backtracking; the two halves of a cut cycle are one branch. Parts: code, length, unmatched.
 [[nodiscard]] Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                                     const SkeletonMatchOptions& options = {});
 

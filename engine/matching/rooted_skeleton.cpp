@@ -210,16 +210,37 @@ RootedTree finish(Gathered gathered) {
     RootedTree tree;
     const auto count = static_cast<std::uint32_t>(gathered.size());
     std::reverse(gathered.begin(), gathered.end());
-    std::vector<std::uint32_t> parents;
-    parents.reserve(count);
     for (RootedTree::Node& node : gathered) {
         if (node.parent != kNoIndex) node.parent = count - 1 - node.parent;
-        parents.push_back(node.parent);
         tree.total_weight += node.weight;
     }
-    tree.shape = tree_shape(parents);
     tree.nodes = std::move(gathered);
     return tree;
+}
+
+/// Fills in `merged` of the trees and of the whole.
+void merge_trees(RootedSkeletons& rooted) {
+    // What a subtree is: the piece and node at its top, and the subtrees below.
+    using Key = std::tuple<std::uint32_t, std::uint32_t, std::vector<std::uint32_t>>;
+    std::map<Key, std::uint32_t> known;
+    std::vector<std::vector<std::uint32_t>> all_children;
+    for (RootedTree& tree : rooted.trees) {
+        std::vector<std::vector<std::uint32_t>> children(tree.nodes.size());
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            const RootedTree::Node& node = tree.nodes[i];
+            std::sort(children[i].begin(), children[i].end());
+            const auto [place, is_new] =
+                known.try_emplace({node.piece, node.graph_node, children[i]},
+                                  static_cast<std::uint32_t>(rooted.merged.nodes.size()));
+            if (is_new) {
+                rooted.merged.nodes.push_back({node.piece, node.weight, node.radius});
+                all_children.push_back(children[i]);
+            }
+            tree.merged.push_back(place->second);
+            if (node.parent != kNoIndex) children[node.parent].push_back(place->second);
+        }
+    }
+    rooted.merged.shape = tree_shape(all_children);
 }
 
 RootedTree::Node component_root(const SkeletonDescriptor& descriptor, std::uint32_t graph_node,
@@ -267,6 +288,7 @@ RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor, const Rootin
         limit_size(gathered, static_cast<std::size_t>(options.max_pieces) + 1);
         rooted.trees.push_back(finish(std::move(gathered)));
     }
+    merge_trees(rooted);
     std::vector<std::span<const DirectionStep>> codes;
     for (std::uint32_t i = 0; i < rooted.pieces.size(); ++i) codes.push_back(rooted.code(i));
     rooted.batch = CodeBatch(codes);

@@ -27,9 +27,22 @@ struct RootedTree {
         float root_distance = 0.0F;  ///< from the root to the piece's beginning, over the scale
         float radius = 0.0F;         ///< at the node, over the scale; 0 where a cycle was cut
     };
-    std::vector<Node> nodes;    ///< children before parents; the root is the last
-    TreeShape shape;            ///< of `nodes`
-    float total_weight = 0.0F;  ///< of all nodes
+    std::vector<Node> nodes;            ///< children before parents; the root is the last
+    std::vector<std::uint32_t> merged;  ///< of each node, the node of MergedTrees
+    float total_weight = 0.0F;          ///< of all nodes
+};
+
+/// The trees from all candidate roots with what they share in one place: a subtree that hangs the
+/// same way from two roots is there once. Comparing two skeletons compares each of these nodes
+/// once, whatever the number of roots (a quarter of the work of four pairings of roots).
+struct MergedTrees {
+    struct Node {
+        std::uint32_t piece = kNoIndex;  ///< as in RootedTree
+        float weight = 0.0F;
+        float radius = 0.0F;
+    };
+    std::vector<Node> nodes;  ///< children before parents
+    TreeShape shape;          ///< of `nodes`; a node may have several parents
 };
 
 /// The trees from each candidate root. Their pieces of branch are shared: the same branch walked
@@ -44,6 +57,7 @@ struct RootedSkeletons {
     std::vector<DirectionStep> steps;  ///< direction codes of all pieces, away from the root
     std::vector<Piece> pieces;
     CodeBatch batch;                ///< the same codes, laid out for aligning one with all
+    MergedTrees merged;             ///< of `trees`
     std::vector<RootedTree> trees;  ///< best root first; empty only for an empty skeleton
     std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of two skeletons
 

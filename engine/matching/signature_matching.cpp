@@ -122,7 +122,7 @@ void SignatureMatcher::match_end_points(const SkeletonDescriptor& a, const Skele
     for (const float p : remove_a_) {
         for (const float q : remove_b_) exchange_.push_back(std::abs(p - q));
     }
-    edit_.distance({ta.shape, tb.shape, remove_a_, remove_b_, exchange_});
+    edit_.solve({ta.shape, tb.shape, remove_a_, remove_b_, exchange_});
 
     std::vector<Node> rows, columns;
     std::vector<float> costs;
@@ -146,7 +146,7 @@ void SignatureMatcher::match_end_points(const SkeletonDescriptor& a, const Skele
                 const Node j = transposed ? r : c;
                 // Between equals the nearer rank decides, so that a skeleton matches itself.
                 const auto tie = 1e-6F * static_cast<float>(rank_difference(ta, tb, i, j));
-                costs.push_back(edit_.subtree_distance(i, j) + tie);
+                costs.push_back(edit_.distance(i, j) + tie);
             }
         }
         const auto column_of_row = assignment_.solve(costs, rows.size(), columns.size());

@@ -17,25 +17,31 @@ void TreeEdit::sum_removals(const TreeShape& tree, std::span<const float> remove
     }
 }
 
-float TreeEdit::distance(const TreeEditProblem& problem) {
+void TreeEdit::solve(const TreeEditProblem& problem) {
     const std::size_t rows = problem.a.size();
     columns_ = problem.b.size();
     assert(problem.remove_a.size() == rows && problem.remove_b.size() == columns_);
     assert(problem.exchange.size() >= rows * columns_);
     sum_removals(problem.a, problem.remove_a, whole_a_, below_a_);
     sum_removals(problem.b, problem.remove_b, whole_b_, below_b_);
-    if (rows == 0) return columns_ == 0 ? 0.0F : whole_b_.back();
-    if (columns_ == 0) return whole_a_.back();
-    tree_.resize(rows * columns_);
-    forest_.resize(rows * columns_);
+    if (tree_.size() < rows * columns_) {
+        tree_.resize(rows * columns_);
+        forest_.resize(rows * columns_);
+    }
     Choice ignored;
     for (std::size_t i = 0; i < rows; ++i) {
+        const bool a_is_leaf = problem.a.children(i).empty();
         for (std::size_t j = 0; j < columns_; ++j) {
-            forest_[i * columns_ + j] = forest_cost(problem, i, j, ignored);
-            tree_[i * columns_ + j] = tree_cost(problem, i, j, ignored);
+            const std::size_t at = i * columns_ + j;
+            if (a_is_leaf && problem.b.children(j).empty()) {
+                forest_[at] = 0.0F;
+                tree_[at] = problem.exchange[at];
+                continue;
+            }
+            forest_[at] = forest_cost(problem, i, j, ignored);
+            tree_[at] = tree_cost(problem, i, j, ignored);
         }
     }
-    return tree_.back();
 }
 
 float TreeEdit::tree_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
@@ -129,15 +135,14 @@ float TreeEdit::pair_children(const TreeEditProblem& problem, std::size_t i, std
     return cost;
 }
 
-void TreeEdit::exchanged(const TreeEditProblem& problem, std::vector<Pair>& pairs) {
+void TreeEdit::exchanged(const TreeEditProblem& problem, const Pair& roots,
+                         std::vector<Pair>& pairs) {
     pairs.clear();
-    if (problem.a.size() == 0 || problem.b.size() == 0) return;
     struct Task {
         bool forest;
         std::uint32_t i, j;
     };
-    std::vector<Task> tasks = {{false, static_cast<std::uint32_t>(problem.a.size() - 1),
-                                static_cast<std::uint32_t>(problem.b.size() - 1)}};
+    std::vector<Task> tasks = {{false, roots.first, roots.second}};
     std::vector<Pair> children;
     while (!tasks.empty()) {
         const auto [forest, i, j] = tasks.back();

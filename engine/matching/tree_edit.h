@@ -27,16 +27,18 @@ class TreeEdit {
 public:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-    /// The least cost; 0 for two equal trees, exactly. An empty tree costs the other's removal.
-    float distance(const TreeEditProblem& problem);
+    /// Compares every subtree of a with every subtree of b.
+    void solve(const TreeEditProblem& problem);
 
-    /// The nodes exchanged in the last `distance` of the same problem, the roots' end first.
-    void exchanged(const TreeEditProblem& problem, std::vector<Pair>& pairs);
-
-    /// The distance of two subtrees in the last problem.
-    [[nodiscard]] float subtree_distance(std::size_t i, std::size_t j) const {
+    /// The least cost of turning the subtree of a at node i into that of b at node j, in the last
+    /// problem solved; 0 for equal subtrees, exactly.
+    [[nodiscard]] float distance(std::size_t i, std::size_t j) const {
         return tree_[i * columns_ + j];
     }
+
+    /// The nodes that the cheapest edit of these two subtrees exchanges, parents before children.
+    /// @param problem  the last one solved
+    void exchanged(const TreeEditProblem& problem, const Pair& roots, std::vector<Pair>& pairs);
 
 private:
     /// How the cheapest edit of a pair of (sub)trees or forests begins.

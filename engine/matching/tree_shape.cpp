@@ -22,4 +22,17 @@ TreeShape tree_shape(std::span<const std::uint32_t> parents) {
     return shape;
 }
 
+TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children) {
+    TreeShape shape;
+    shape.child_begin.push_back(0);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        for (const std::uint32_t child : children[i]) {
+            assert(child < i);
+            shape.child_nodes.push_back(child);
+        }
+        shape.child_begin.push_back(static_cast<std::uint32_t>(shape.child_nodes.size()));
+    }
+    return shape;
+}
+
 }  // namespace ossuary

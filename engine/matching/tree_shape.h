@@ -7,7 +7,8 @@
 
 namespace ossuary {
 
-/// A rooted tree with its nodes numbered children before parents; the root is the last.
+/// A rooted tree with its nodes numbered children before parents, the root the last; or several
+/// rooted trees that share subtrees.
 struct TreeShape {
     std::vector<std::uint32_t> child_begin;  ///< one more than nodes; into `child_nodes`
     std::vector<std::uint32_t> child_nodes;
@@ -23,5 +24,8 @@ struct TreeShape {
 
 /// @param parents  of each node, greater than the node itself; the last entry is ignored
 [[nodiscard]] TreeShape tree_shape(std::span<const std::uint32_t> parents);
+
+/// @param children  of each node, each less than the node itself
+[[nodiscard]] TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children);
 
 }  // namespace ossuary

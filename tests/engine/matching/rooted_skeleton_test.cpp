@@ -28,16 +28,20 @@ void expect_sound(const SkeletonDescriptor& descriptor) {
     const RootedSkeletons& rooted = descriptor.rooted;
     ASSERT_FALSE(rooted.trees.empty());
     for (const RootedTree& tree : rooted.trees) {
-        ASSERT_EQ(tree.shape.size(), tree.nodes.size());
+        ASSERT_EQ(tree.merged.size(), tree.nodes.size());
         // Every node of the graph hangs somewhere, once, and no length is lost.
         std::multiset<std::uint32_t> hung;
         for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
             const RootedTree::Node& node = tree.nodes[i];
+            EXPECT_EQ(rooted.merged.nodes[tree.merged[i]].piece, node.piece);
+            EXPECT_EQ(rooted.merged.nodes[tree.merged[i]].weight, node.weight);
             if (node.graph_node != kNoIndex) hung.insert(node.graph_node);
             if (node.parent == kNoIndex) {
                 EXPECT_EQ(i + 1, tree.nodes.size());
             } else {
                 EXPECT_GT(node.parent, i);
+                const auto below = rooted.merged.shape.children(tree.merged[node.parent]);
+                EXPECT_EQ(std::count(below.begin(), below.end(), tree.merged[i]), 1);
             }
         }
         EXPECT_EQ(hung.size(), descriptor.nodes.size());
@@ -66,7 +70,9 @@ TEST(RootedSkeleton, HangsAnOctopusUpAtItsBody) {
     const SkeletonDescriptor octopus = test::describe(test::octopus(0.5));
     ASSERT_EQ(octopus.rooted.trees.size(), 1U);
     EXPECT_EQ(octopus.rooted.trees[0].nodes.back().graph_node, 0U);
-    EXPECT_EQ(octopus.rooted.trees[0].shape.children(8).size(), 8U);
+    for (std::size_t arm = 0; arm < 8; ++arm) {
+        EXPECT_EQ(octopus.rooted.trees[0].nodes[arm].parent, 8U);
+    }
 }
 
 TEST(RootedSkeleton, OffersBothEndsOfATrunkAsRoots) {
@@ -102,6 +108,8 @@ TEST(RootedSkeleton, SharesThePiecesThatBothTreesWalkTheSameWay) {
     const SkeletonDescriptor animal = test::describe(test::four_leg(0.5));
     // Only the trunk is walked both ways.
     EXPECT_EQ(animal.rooted.pieces.size(), animal.branches.size() + 1);
+    // Merged: all seven branches, the trunk a second time, and two roots.
+    EXPECT_EQ(animal.rooted.merged.nodes.size(), animal.branches.size() + 3);
 }
 
 TEST(RootedSkeleton, MeasuresRootDistancesAlongTheBranches) {
@@ -125,7 +133,7 @@ TEST(RootedSkeleton, LeavesTheShortestLeavesOfAnOvergrownSkeletonOut) {
     derive_matching_data(descriptor, options);
     for (const RootedTree& tree : descriptor.rooted.trees) {
         EXPECT_EQ(tree.nodes.size(), 21U);
-        EXPECT_EQ(tree.shape.size(), 21U);
+        EXPECT_EQ(tree.merged.size(), 21U);
     }
 }
 

@@ -111,6 +111,15 @@ double try_all(const Trees& t, std::uint32_t i, std::vector<TreeEdit::Pair>& pai
     return best;
 }
 
+float whole_distance(TreeEdit& edit, const Trees& t) {
+    edit.solve(t.problem());
+    return edit.distance(t.a.size() - 1, t.b.size() - 1);
+}
+
+TreeEdit::Pair roots(const Trees& t) {
+    return {static_cast<std::uint32_t>(t.a.size() - 1), static_cast<std::uint32_t>(t.b.size() - 1)};
+}
+
 TEST(TreeShape, ListsTheChildrenOfEachNode) {
     const TreeShape shape = tree_shape(Parents{2, 2, 4, 4, 0xFFFFFFFFU});
     ASSERT_EQ(shape.size(), 5U);
@@ -118,7 +127,7 @@ TEST(TreeShape, ListsTheChildrenOfEachNode) {
     ASSERT_EQ(shape.children(2).size(), 2U);
     EXPECT_EQ(shape.children(2)[1], 1U);
     EXPECT_EQ(shape.children(4)[0], 2U);
-    EXPECT_EQ(tree_shape({}).size(), 0U);
+    EXPECT_EQ(tree_shape(Parents{}).size(), 0U);
 }
 
 TEST(TreeEdit, IsTheCheapestOfAllConstrainedMappings) {
@@ -128,7 +137,7 @@ TEST(TreeEdit, IsTheCheapestOfAllConstrainedMappings) {
         const Trees t = random_trees(random, 1 + static_cast<std::size_t>(round) % 5,
                                      1 + (static_cast<std::size_t>(round) / 5) % 5);
         std::vector<TreeEdit::Pair> pairs;
-        EXPECT_NEAR(edit.distance(t.problem()), try_all(t, 0, pairs), 1e-5);
+        EXPECT_NEAR(whole_distance(edit, t), try_all(t, 0, pairs), 1e-5);
     }
 }
 
@@ -139,8 +148,8 @@ TEST(TreeEdit, NamesExchangesThatCostWhatItSays) {
     for (int round = 0; round < 300; ++round) {
         const Trees t = random_trees(random, 1 + static_cast<std::size_t>(round) % 17,
                                      1 + (static_cast<std::size_t>(round) * 7) % 19);
-        const float distance = edit.distance(t.problem());
-        edit.exchanged(t.problem(), pairs);
+        const float distance = whole_distance(edit, t);
+        edit.exchanged(t.problem(), roots(t), pairs);
         EXPECT_TRUE(is_constrained(t, pairs));
         EXPECT_NEAR(cost_of(t, pairs), distance, 1e-4);
     }
@@ -163,21 +172,32 @@ TEST(TreeEdit, IsExactlyZeroForATreeAndItsReorderedCopy) {
                 t.exchange[i * 12 + j] = i == j ? 0.0F : 0.5F * (t.remove_a[i] + t.remove_b[j]);
             }
         }
-        EXPECT_EQ(edit.distance(t.problem()), 0.0F);
+        EXPECT_EQ(whole_distance(edit, t), 0.0F);
     }
 }
 
-TEST(TreeEdit, RemovesAllOfATreeAgainstNothing) {
-    std::mt19937 random(54);
+TEST(TreeEdit, ComparesTreesThatShareSubtreesLikeTreesOfTheirOwn) {
+    // Two roots, 3 and 4, over the subtree at 2; node 4 has one leaf more.
+    const TreeShape shared =
+        tree_shape(std::vector<std::vector<std::uint32_t>>{{}, {}, {0, 1}, {2}, {0, 2}});
+    const TreeShape apart = tree_shape(Parents{3, 3, 4, 4, 0xFFFFFFFFU});  // 0 is again at 2
+    const std::vector<std::uint32_t> merged = {0, 1, 0, 2, 4};
+    std::mt19937 random(55);
     TreeEdit edit;
-    Trees t = random_trees(random, 6, 3);
-    t.b = tree_shape({});
-    t.remove_b.clear();
-    const float all = std::accumulate(t.remove_a.begin(), t.remove_a.end(), 0.0F);
-    EXPECT_NEAR(edit.distance(t.problem()), all, 1e-5F);
-    std::vector<TreeEdit::Pair> pairs;
-    edit.exchanged(t.problem(), pairs);
-    EXPECT_TRUE(pairs.empty());
+    for (int round = 0; round < 50; ++round) {
+        Trees t = random_trees(random, 5, 6);
+        const TreeEditProblem all{shared, t.b, t.remove_a, t.remove_b, t.exchange};
+        edit.solve(all);
+        const float once = edit.distance(4, 5);
+        std::vector<float> remove, exchange;
+        for (const std::uint32_t node : merged) {
+            remove.push_back(t.remove_a[node]);
+            for (std::size_t j = 0; j < 6; ++j) exchange.push_back(t.exchange[node * 6 + j]);
+        }
+        const TreeEditProblem single{apart, t.b, remove, t.remove_b, exchange};
+        edit.solve(single);
+        EXPECT_NEAR(edit.distance(4, 5), once, 1e-5F);
+    }
 }
 
 }  // namespace
