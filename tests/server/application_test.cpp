@@ -1,0 +1,298 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "server/application.h"
+#include "server/auth.h"
+#include "server/router.h"
+#include "tests/server/test_server.h"
+
+namespace ossuary::test {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr const char* kKey = "a-key-for-tests-0123456789";
+
+void write(const fs::path& path, std::string_view text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+}
+
+class Application : public testing::Test {
+protected:
+    Application() {
+        const fs::path web = folder_.path() / "web";
+        write(web / "index.html", "<!doctype html><title>gallery</title>");
+        write(web / "assets/index-B4x_9dKq.js", "export {};" + std::string(3000, ' '));
+        write(web / "assets/plain.css", "a{}");
+        write(web / "notes.secret", "secret");
+        write(folder_.path() / "secret.txt", "secret");
+        fs::create_symlink(folder_.path() / "secret.txt", web / "link.txt");
+        write(folder_.path() / "key", std::string(kKey) + "\n");
+    }
+
+    TemporaryFolder folder_;
+    fs::path index_ = copy_of_built_index(folder_.path());
+    TestServer::Change with_key() {
+        return [this](server::ServerOptions& options) {
+            options.admin_key_file = folder_.path() / "key";
+        };
+    }
+    TestServer::Change with_gallery() {
+        return [this](server::ServerOptions& options) { options.web = folder_.path() / "web"; };
+    }
+    static std::string bearer(std::string_view key) {
+        return "Authorization: Bearer " + std::string(key) + "\r\n";
+    }
+};
+
+TEST_F(Application, ServesTheGallery) {
+    const TestServer server(index_, with_gallery());
+    const RawAnswer page = server.ask(get("/"));
+    EXPECT_EQ(page.status, 200);
+    EXPECT_EQ(page.header("Content-Type"), "text/html; charset=utf-8");
+    EXPECT_EQ(page.header("Cache-Control"), "no-cache");
+    EXPECT_NE(page.header("Content-Security-Policy").find("default-src 'self'"), std::string::npos);
+    EXPECT_EQ(page.header("Access-Control-Allow-Origin"), "");
+    EXPECT_EQ(server.ask(get("/", "If-None-Match: " + page.header("ETag") + "\r\n")).status, 304);
+    const RawAnswer script = server.ask(get("/assets/index-B4x_9dKq.js"));
+    EXPECT_EQ(script.header("Content-Type"), "text/javascript; charset=utf-8");
+    EXPECT_NE(script.header("Cache-Control").find("immutable"), std::string::npos);
+    EXPECT_EQ(server.ask(get("/assets/plain.css")).header("Cache-Control"), "no-cache");
+    EXPECT_EQ(server.ask(test::request("HEAD", "/"), true).status, 200);
+}
+
+TEST_F(Application, ServesNothingOutsideTheGallery) {
+    const TestServer server(index_, with_gallery());
+    for (const char* path :
+         {"/../secret.txt", "/assets/../../secret.txt", "/%2e%2e/secret.txt", "/..%2fsecret.txt",
+          "/..%5csecret.txt", "//etc/passwd", "/./index.html", "/assets", "/assets/", "/link.txt",
+          "/notes.secret", "/index.html/", "/INDEX.HTML", "/key", "/..;/secret.txt"}) {
+        const RawAnswer answer = server.ask(get(path));
+        EXPECT_TRUE(answer.status == 404 || answer.status == 400) << path << answer.status;
+        EXPECT_EQ(answer.body.find("secret\n"), std::string::npos) << path;
+        EXPECT_EQ(answer.header("Content-Type"), "application/problem+json") << path;
+    }
+}
+
+TEST_F(Application, StartsWithoutAGallery) {
+    const TestServer server(index_);
+    EXPECT_EQ(server.code(get("/"), 404), "file_not_served");
+    EXPECT_EQ(server.json(get("/readyz"))["status"], "ok");
+}
+
+TEST_F(Application, NamesTheMethodsOfAPath) {
+    const TestServer server(index_, with_gallery());
+    const auto allow = [&](std::string_view method, std::string_view path) {
+        const RawAnswer answer = server.ask(test::request(method, path));
+        EXPECT_TRUE(answer.status == 405 || answer.status == 204) << answer.status;
+        return answer.header("Allow");
+    };
+    EXPECT_EQ(allow("PUT", "/v1/models/1"), "GET, HEAD, DELETE, OPTIONS");
+    EXPECT_EQ(allow("GET", "/v1/search"), "POST, OPTIONS");
+    EXPECT_EQ(allow("DELETE", "/"), "GET, HEAD, OPTIONS");
+    EXPECT_EQ(allow("OPTIONS", "/v1/models"), "GET, HEAD, POST, OPTIONS");
+    EXPECT_EQ(server.code(test::request("PUT", "/v1/models/1"), 405), "method_not_allowed");
+    EXPECT_EQ(server.code(test::request("BREW", "/v1/models/1"), 501), "method_unknown");
+    EXPECT_EQ(server.code(test::request("GET", "/v1/nothing"), 404), "route_not_found");
+    EXPECT_EQ(server.ask(test::request("OPTIONS", "*")).status, 204);
+    EXPECT_EQ(server.ask(test::request("HEAD", "/v1/models"), true).status, 200);
+}
+
+TEST_F(Application, AnswersOnlyToItsOwnNames) {
+    const TestServer server(index_);
+    const auto status = [&](const TestServer& asked, std::string_view host) {
+        return asked.ask("GET /livez HTTP/1.1\r\nHost: " + std::string(host) + "\r\n\r\n").status;
+    };
+    for (const char* host :
+         {"localhost", "LOCALHOST:8080", "127.0.0.1:80", "127.1.2.3", "[::1]:80"}) {
+        EXPECT_EQ(status(server, host), 200) << host;
+    }
+    for (const char* host : {"evil.example", "127.0.0.1.evil.example", "localhost.evil.example:80",
+                             "", "0.0.0.0", "[::2]"}) {
+        EXPECT_EQ(status(server, host), 421) << host;
+    }
+    const TestServer named(
+        index_, [](server::ServerOptions& options) { options.allowed_hosts = {"models.example"}; });
+    EXPECT_EQ(status(named, "models.example:443"), 200);
+    EXPECT_EQ(status(named, "other.example"), 421);
+}
+
+TEST_F(Application, SetsTheHeadersThatProtectPages) {
+    const TestServer server(index_);
+    for (const std::string& bytes : {get("/livez"), get("/nothing"), get("/x", "A : b\r\n")}) {
+        const RawAnswer answer = server.ask(bytes);
+        EXPECT_EQ(answer.header("X-Content-Type-Options"), "nosniff");
+        EXPECT_EQ(answer.header("Referrer-Policy"), "no-referrer");
+        EXPECT_EQ(answer.header("X-Frame-Options"), "DENY");
+        EXPECT_FALSE(answer.header("Content-Security-Policy").empty());
+        EXPECT_EQ(answer.count("X-Request-Id"), 1u);
+    }
+}
+
+TEST_F(Application, RefusesAdministrationWithoutAKey) {
+    const TestServer server(index_);
+    EXPECT_EQ(server.code(post("/v1/models", "OFF", bearer(kKey)), 403), "admin_disabled");
+    EXPECT_EQ(server.code(test::request("DELETE", "/v1/models/1", bearer("")), 403),
+              "admin_disabled");
+}
+
+TEST_F(Application, RefusesWrongKeysBeforeTheBodyIsRead) {
+    const TestServer server(index_, with_key());
+    RawClient client(server.port());
+    client.send(
+        test::request("POST", "/v1/models", "Content-Length: 1000\r\nExpect: 100-continue\r\n"));
+    const RawAnswer answer = client.receive();
+    EXPECT_EQ(answer.status, 401);
+    EXPECT_EQ(client.interim_answers(), 0);
+    EXPECT_EQ(answer.header("WWW-Authenticate"), "Bearer realm=\"ossuary\"");
+    const std::string key = kKey;
+    for (const std::string& wrong : {key + "x", key.substr(1), std::string("x"), std::string()}) {
+        const std::string code =
+            server.code(test::request("DELETE", "/v1/models/1", bearer(wrong)), 401);
+        EXPECT_EQ(code, wrong.empty() ? "admin_key_missing" : "admin_key_wrong");
+    }
+    EXPECT_EQ(
+        server.code(test::request("DELETE", "/v1/models/1", "Authorization: Basic " + key + "\r\n"),
+                    401),
+        "admin_key_missing");
+    EXPECT_EQ(server.json(get("/v1/models"))["total"], 6);
+}
+
+nlohmann::json finished_job(const TestServer& server, const std::string& location) {
+    nlohmann::json job;
+    for (int i = 0; i < 500; ++i) {
+        job = server.json(get(location));
+        if (job["state"] == "done" || job["state"] == "failed") return job;
+        std::this_thread::sleep_for(20ms);
+    }
+    return job;
+}
+
+TEST_F(Application, AddsAndRemovesModels) {
+    const TestServer server(index_, with_key());
+    const RawAnswer added =
+        server.ask(post("/v1/models?name=oak&class=tree",
+                        built_models()[4].off + "# another file\n", bearer(kKey)));
+    ASSERT_EQ(added.status, 202) << added.body;
+    const std::string location = added.header("Location");
+    EXPECT_EQ(nlohmann::json::parse(added.body)["job"], location);
+    const auto job = finished_job(server, location);
+    ASSERT_EQ(job["state"], "done") << job;
+    const std::string path = "/v1/models/" + std::to_string(job["model"].get<int>());
+    const auto model = server.json(get(path));
+    EXPECT_EQ(model["name"], "oak");
+    EXPECT_EQ(model["class"], "tree");
+    EXPECT_EQ(server.json(post("/v1/search", built_models()[4].off))["models"], 7);
+
+    EXPECT_EQ(server.ask(test::request("DELETE", path, bearer(kKey))).status, 204);
+    EXPECT_EQ(server.code(get(path), 404), "model_not_found");
+    EXPECT_EQ(server.code(test::request("DELETE", path, bearer(kKey)), 404), "model_not_found");
+    EXPECT_EQ(server.json(post("/v1/search", built_models()[4].off))["models"], 6);
+}
+
+TEST_F(Application, RefusesToQueueWhatCannotBeRead) {
+    const TestServer server(index_, with_key());
+    EXPECT_EQ(server.code(post("/v1/models", "OFF\n3 1 0\n0 0 0\n", bearer(kKey)), 422),
+              "off_truncated");
+    EXPECT_EQ(server.code(post("/v1/models?limit=3", "OFF", bearer(kKey)), 400),
+              "parameter_unknown");
+    EXPECT_EQ(server.code(get("/v1/jobs/1"), 404), "job_not_found");
+    EXPECT_EQ(server.code(get("/v1/jobs/x"), 400), "parameter_invalid");
+}
+
+TEST_F(Application, ReportsAModelThatHasNoSkeletonAsAFailedJob) {
+    const TestServer server(index_, with_key());
+    const std::string point = "OFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n";
+    const RawAnswer added = server.ask(post("/v1/models", point, bearer(kKey)));
+    ASSERT_EQ(added.status, 202) << added.body;
+    const auto job = finished_job(server, added.header("Location"));
+    EXPECT_EQ(job["state"], "failed");
+    EXPECT_TRUE(job["model"].is_null());
+    EXPECT_FALSE(job["error"]["code"].get<std::string>().empty());
+    EXPECT_EQ(server.json(get("/v1/models"))["total"], 6);
+}
+
+TEST_F(Application, CountsWhatItDoes) {
+    const TestServer server(index_);
+    server.ask(post("/v1/search", built_models()[0].off));
+    server.ask(get("/v1/nothing"));
+    std::string text;
+    // A request is counted once its answer has been sent, which may be after the client has it.
+    for (int i = 0; i < 100 && text.find("route_not_found") == std::string::npos; ++i) {
+        text = server.ask(get("/metrics")).body;
+    }
+    for (const char* line :
+         {"ossuary_http_requests_total{", "route=\"/v1/search\"", "status=\"200\"",
+          "ossuary_http_problems_total{code=\"route_not_found\"} 1",
+          "ossuary_search_stage_duration_seconds_bucket{stage=\"rank\"", "ossuary_index_models 6",
+          "ossuary_http_received_bytes_total"}) {
+        EXPECT_NE(text.find(line), std::string::npos) << line;
+    }
+}
+
+TEST_F(Application, RefusesToStartOnWhatIsNotAnIndex) {
+    const auto error = [](const fs::path& index) {
+        server::ServerOptions options;
+        options.index = index;
+        options.port = 0;
+        options.log.level = "off";
+        const auto opened = server::Server::open(options);
+        return opened ? std::string("opened") : std::string(to_string(opened.error().code));
+    };
+    EXPECT_EQ(error(folder_.path() / "none"), "index_not_found");
+    write(folder_.path() / "text", "this is not an index");
+    EXPECT_EQ(error(folder_.path() / "text"), "index_foreign");
+}
+
+TEST_F(Application, RefusesAShortKey) {
+    write(folder_.path() / "short", "short\n");
+    EXPECT_FALSE(server::read_admin_key(folder_.path() / "short"));
+    EXPECT_FALSE(server::read_admin_key(folder_.path() / "none"));
+    EXPECT_EQ(*server::read_admin_key(folder_.path() / "key"), kKey);
+}
+
+TEST(ConstantTime, ComparesWholeTexts) {
+    EXPECT_TRUE(server::equal_in_constant_time("", ""));
+    EXPECT_TRUE(server::equal_in_constant_time("abc", "abc"));
+    EXPECT_FALSE(server::equal_in_constant_time("abc", "abd"));
+    EXPECT_FALSE(server::equal_in_constant_time("abcabc", "abc"));
+    EXPECT_FALSE(server::equal_in_constant_time("abc", "abcabc"));
+    EXPECT_FALSE(server::equal_in_constant_time("", "abc"));
+    EXPECT_FALSE(server::equal_in_constant_time("abc", ""));
+}
+
+TEST(Routes, MatchOneCharacterOrMoreOfOneSegment) {
+    using server::match_pattern;
+    EXPECT_EQ(match_pattern("/v1/models/{id}", "/v1/models/7"), "7");
+    EXPECT_EQ(match_pattern("/v1/models/{id}/mesh", "/v1/models/7/mesh"), "7");
+    EXPECT_EQ(match_pattern("/e/{r}.csv", "/e/hybrid.csv"), "hybrid");
+    EXPECT_EQ(match_pattern("/v1/models/{id}", "/v1/models/"), std::nullopt);
+    EXPECT_EQ(match_pattern("/v1/models/{id}", "/v1/models/7/mesh"), std::nullopt);
+    EXPECT_EQ(match_pattern("/e/{r}.csv", "/e/.csv"), std::nullopt);
+    EXPECT_EQ(match_pattern("/livez", "/livez/"), std::nullopt);
+}
+
+TEST(StaticFiles, TellsHashedNames) {
+    EXPECT_TRUE(server::is_hashed_name("index-B4x_9dKq.js"));
+    EXPECT_TRUE(server::is_hashed_name("index-B4x_9dKq.js.map"));
+    EXPECT_FALSE(server::is_hashed_name("index.html"));
+    EXPECT_FALSE(server::is_hashed_name("index-abc.js"));
+    EXPECT_FALSE(server::is_hashed_name("well-describes.js"));
+    EXPECT_FALSE(server::is_hashed_name("favicon.svg"));
+}
+
+TEST(GalleryFolder, IsFoundAboveTheProgram) {
+    const TemporaryFolder folder;
+    write(folder.path() / "web/dist/index.html", "x");
+    fs::create_directories(folder.path() / "build/release/bin");
+    EXPECT_EQ(server::find_web_folder(folder.path() / "build/release/bin/ossuary-server"),
+              folder.path() / "web/dist");
+}
+
+}  // namespace
+}  // namespace ossuary::test

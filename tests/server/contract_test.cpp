@@ -1,0 +1,289 @@
+// server/openapi.yaml says what the server does: routes, parameters, codes and the shape of every
+// answer are held against the running server.
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "server/embedded.h"
+#include "server/problem.h"
+#include "server/router.h"
+#include "tests/server/test_server.h"
+#include "tests/server/yaml.h"
+
+namespace ossuary::test {
+namespace {
+
+using nlohmann::json;
+
+const json& contract() {
+    static const json document = parse_yaml(server::kOpenApiDocument);
+    return document;
+}
+
+const json& resolved(const json& node) {
+    if (!node.contains("$ref")) return node;
+    return contract().at(json::json_pointer(node["$ref"].get<std::string>().substr(1)));
+}
+
+bool has_type(const json& value, const std::string& type) {
+    if (type == "null") return value.is_null();
+    if (type == "string") return value.is_string();
+    if (type == "integer") return value.is_number_integer();
+    if (type == "number") return value.is_number();
+    if (type == "boolean") return value.is_boolean();
+    if (type == "array") return value.is_array();
+    return type == "object" && value.is_object();
+}
+
+/// The properties that a schema names, its parts' included.
+void collect_properties(const json& schema, std::set<std::string>& names) {
+    const json& node = resolved(schema);
+    for (const auto& [name, ignored] : node.value("properties", json::object()).items()) {
+        names.insert(name);
+    }
+    for (const json& part : node.value("allOf", json::array())) collect_properties(part, names);
+}
+
+/// Appends what is wrong with `value` at `where`. Properties that the schema does not name are
+/// wrong too, unless it has additionalProperties.
+void validate(const json& schema, const json& value, const std::string& where,
+              std::vector<std::string>& faults, bool part = false) {
+    const json& node = resolved(schema);
+    const auto fault = [&](const std::string& what) { faults.push_back(where + ": " + what); };
+    for (const json& each : node.value("allOf", json::array())) {
+        validate(each, value, where, faults, true);
+    }
+    if (node.contains("type")) {
+        const json types = node["type"].is_array() ? node["type"] : json::array({node["type"]});
+        bool fits = false;
+        for (const json& type : types) fits = fits || has_type(value, type);
+        if (!fits) return fault("is " + value.dump().substr(0, 60) + ", not " + types.dump());
+    }
+    if (node.contains("const") && value != node["const"]) fault("is not " + node["const"].dump());
+    if (node.contains("enum")) {
+        const json& choices = node["enum"];
+        if (std::find(choices.begin(), choices.end(), value) == choices.end()) {
+            fault(value.dump() + " is not one of the choices");
+        }
+    }
+    if (value.is_number()) {
+        if (node.contains("minimum") && value < node["minimum"]) fault("is too small");
+        if (node.contains("maximum") && value > node["maximum"]) fault("is too large");
+    }
+    if (value.is_string() && node.contains("pattern") &&
+        !std::regex_search(value.get<std::string>(),
+                           std::regex(node["pattern"].get<std::string>()))) {
+        fault(value.dump() + " does not fit the pattern");
+    }
+    if (value.is_array()) {
+        if (value.size() < node.value("minItems", std::size_t{0})) fault("has too few items");
+        if (value.size() > node.value("maxItems", value.size())) fault("has too many items");
+        for (std::size_t i = 0; node.contains("items") && i < value.size(); ++i) {
+            validate(node["items"], value[i], where + "/" + std::to_string(i), faults);
+        }
+    }
+    if (!value.is_object()) return;
+    for (const json& name : node.value("required", json::array())) {
+        if (!value.contains(name.get<std::string>())) fault(name.dump() + " is missing");
+    }
+    std::set<std::string> known;
+    collect_properties(node, known);
+    for (const auto& [name, each] : value.items()) {
+        if (node.contains("properties") && node["properties"].contains(name)) {
+            validate(node["properties"][name], each, where + "/" + name, faults);
+        } else if (node.contains("additionalProperties")) {
+            validate(node["additionalProperties"], each, where + "/" + name, faults);
+        } else if (!part && !known.contains(name)) {
+            fault(name + " is not in the contract");
+        }
+    }
+}
+
+TEST(Yaml, ReadsWhatTheContractIsWrittenIn) {
+    const json read = parse_yaml(
+        "a: 1\nb:\n  - x\n  - k: 'v: w'\n    l: [p, 2.5, 'null',\n        q]\nc: |\n  one\n\n  "
+        "two\n"
+        "d: &n\n  '200': { e: true, f: null }\ng: *n\nh: \"# not a comment\"\n");
+    EXPECT_EQ(read, json::parse(R"({"a":1,"b":["x",{"k":"v: w","l":["p",2.5,"null","q"]}],
+        "c":"one\n\ntwo\n","d":{"200":{"e":true,"f":null}},"g":{"200":{"e":true,"f":null}},
+        "h":"# not a comment"})"));
+    EXPECT_ANY_THROW(parse_yaml("a: 1\n  b: 2\n"));
+    EXPECT_ANY_THROW(parse_yaml("a: 1\na: 2\n"));
+}
+
+TEST(Contract, ValidationFindsFaults) {
+    const auto faults = [](const json& schema, const json& value) {
+        std::vector<std::string> found;
+        validate(schema, value, "", found);
+        return found.size();
+    };
+    const json schema = {{"type", "object"},
+                         {"required", {"n"}},
+                         {"properties", {{"n", {{"type", "integer"}, {"minimum", 1}}}}}};
+    EXPECT_EQ(faults(schema, {{"n", 1}}), 0u);
+    EXPECT_EQ(faults(schema, {{"n", 0}}), 1u);
+    EXPECT_EQ(faults(schema, {{"n", "1"}}), 1u);
+    EXPECT_EQ(faults(schema, json::object()), 1u);
+    EXPECT_EQ(faults(schema, {{"n", 1}, {"m", 1}}), 1u);
+    EXPECT_EQ(faults(schema, json::array()), 1u);
+}
+
+TEST(Contract, NamesEveryRouteAndNoOther) {
+    std::set<std::string> described;
+    for (const auto& [path, item] : contract().at("paths").items()) {
+        if (path == "/{file}") continue;
+        for (const char* method : {"get", "post", "put", "delete", "patch"}) {
+            if (item.contains(method)) described.insert(std::string(method) + " " + path);
+        }
+    }
+    std::set<std::string> served;
+    for (const server::Route& route : server::routes()) {
+        std::string method(route.method);
+        for (char& c : method) c = static_cast<char>(std::tolower(c));
+        served.insert(method + " " + std::string(route.pattern));
+    }
+    EXPECT_EQ(described, served);
+}
+
+TEST(Contract, NamesEveryProblemCodeAndNoOther) {
+    std::set<std::string> described;
+    for (const json& code : contract().at("/components/schemas/ProblemCode/enum"_json_pointer)) {
+        EXPECT_TRUE(described.insert(code).second) << code << " is there twice";
+    }
+    std::set<std::string> known;
+    for (const server::ProblemRow& row : server::problem_table()) known.emplace(row.code);
+    EXPECT_EQ(described, known);
+}
+
+TEST(Contract, EveryReferenceLeadsSomewhere) {
+    int references = 0;
+    const std::function<void(const json&)> walk = [&](const json& node) {
+        if (node.is_object() && node.contains("$ref")) {
+            ++references;
+            EXPECT_NO_THROW((void)resolved(node)) << node;
+        }
+        if (node.is_structured()) {
+            for (const json& child : node) walk(child);
+        }
+    };
+    walk(contract());
+    EXPECT_GT(references, 100);
+}
+
+TEST(Contract, ProtectsTheAdministratorsRoutes) {
+    for (const server::Route& route : server::routes()) {
+        std::string method(route.method);
+        for (char& c : method) c = static_cast<char>(std::tolower(c));
+        const json& operation = contract()["paths"][std::string(route.pattern)][method];
+        EXPECT_EQ(operation.contains("security"),
+                  route.audience == server::Audience::kAdministrator)
+            << route.pattern;
+        EXPECT_EQ(operation.contains("requestBody"), route.body == server::Body::kModel)
+            << route.pattern;
+    }
+}
+
+class RunningContract : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+    std::filesystem::path index_ = copy_of_built_index(folder_.path());
+    TestServer server_{index_};
+
+    /// Holds an answer against what the contract says of this operation.
+    void hold(const std::string& method, const std::string& path, std::string_view bytes,
+              int status) {
+        const RawAnswer answer = server_.ask(bytes);
+        ASSERT_EQ(answer.status, status) << bytes.substr(0, 80) << answer.body.substr(0, 300);
+        const json& operation = contract().at("paths").at(path).at(method);
+        ASSERT_TRUE(operation["responses"].contains(std::to_string(status)))
+            << path << " does not mention " << status;
+        const json& response = resolved(operation["responses"][std::to_string(status)]);
+        const auto headers = response.value("headers", json::object());
+        for (const auto& [name, ignored] : headers.items()) {
+            EXPECT_FALSE(answer.header(name).empty()) << path << " lacks " << name;
+        }
+        const std::string type = answer.header("Content-Type");
+        const std::string media = type.substr(0, type.find(';'));
+        const json content = response.value("content", json::object());
+        if (media.empty()) {
+            EXPECT_TRUE(content.empty()) << path;
+            return;
+        }
+        ASSERT_TRUE(content.contains(media)) << path << " does not mention " << media;
+        if (media.find("json") == std::string::npos) return;
+        std::vector<std::string> faults;
+        validate(content[media]["schema"], json::parse(answer.body), "", faults);
+        for (const std::string& fault : faults) ADD_FAILURE() << path << fault;
+    }
+};
+
+TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
+    const std::string& tree = built_models()[4].off;
+    const std::string models = "/v1/models";
+    for (const char* ranker : {"hybrid", "skeleton", "chain-code"}) {
+        hold("post", "/v1/search",
+             post("/v1/search?include=mesh&ranker=" + std::string(ranker), tree), 200);
+        hold("get", "/v1/compare", get("/v1/compare?a=1&b=5&ranker=" + std::string(ranker)), 200);
+        hold("get", "/v1/evaluations/{ranker}", get("/v1/evaluations/" + std::string(ranker)), 200);
+    }
+    hold("post", "/v1/search", post("/v1/search?limit=x", tree), 400);
+    hold("post", "/v1/search", post("/v1/search", tree, "Sec-Fetch-Site: cross-site\r\n"), 403);
+    hold("post", "/v1/search", test::request("POST", "/v1/search"), 411);
+    hold("post", "/v1/search", post("/v1/search", "OFF\n4000000000 1 0\n"), 413);
+    hold("post", "/v1/search", post("/v1/search", "no model"), 415);
+    hold("post", "/v1/search", post("/v1/search", "OFF\n3 1 0\n"), 422);
+    hold("get", models, get(models + "?limit=2"), 200);
+    hold("get", models, get(models + "?cursor=x"), 400);
+    hold("post", models, post(models, tree), 403);
+    hold("get", models + "/{id}", get(models + "/1"), 200);
+    hold("get", models + "/{id}", get(models + "/1", "If-None-Match: *\r\n"), 304);
+    hold("get", models + "/{id}", get(models + "/x"), 400);
+    hold("get", models + "/{id}", get(models + "/99"), 404);
+    hold("delete", models + "/{id}", test::request("DELETE", models + "/1"), 403);
+    hold("get", models + "/{id}/similar", get(models + "/1/similar"), 200);
+    hold("get", models + "/{id}/similar", get(models + "/99/similar"), 404);
+    hold("get", models + "/{id}/mesh", get(models + "/1/mesh"), 200);
+    hold("get", models + "/{id}/skeleton", get(models + "/5/skeleton"), 200);
+    hold("get", models + "/{id}/segments", get(models + "/5/segments"), 404);
+    hold("get", models + "/{id}/thumbnail.png", get(models + "/5/thumbnail.png"), 200);
+    hold("get", "/v1/compare", get("/v1/compare?a=1"), 400);
+    hold("get", "/v1/evaluations", get("/v1/evaluations"), 200);
+    hold("get", "/v1/evaluations/{ranker}.csv", get("/v1/evaluations/hybrid.csv"), 200);
+    hold("get", "/v1/evaluations/{ranker}.svg", get("/v1/evaluations/hybrid.svg"), 200);
+    hold("get", "/v1/evaluations/{ranker}", get("/v1/evaluations/best"), 400);
+    hold("get", "/v1/jobs/{id}", get("/v1/jobs/1"), 404);
+    hold("get", "/livez", get("/livez"), 200);
+    hold("get", "/readyz", get("/readyz"), 200);
+    hold("get", "/metrics", get("/metrics"), 200);
+    hold("get", "/openapi.yaml", get("/openapi.yaml"), 200);
+    hold("get", "/openapi.yaml", get("/openapi.yaml", "If-None-Match: *\r\n"), 304);
+}
+
+TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
+    for (const auto& [path, item] : contract().at("paths").items()) {
+        if (!item.contains("get") || path == "/{file}" || !path.starts_with("/v1")) continue;
+        json parameters = item.value("parameters", json::array());
+        for (const json& each : item["get"].value("parameters", json::array())) {
+            parameters.push_back(each);
+        }
+        std::string address = std::regex_replace(path, std::regex("\\{id\\}"), "1");
+        address = std::regex_replace(address, std::regex("\\{ranker\\}"), "hybrid");
+        std::set<std::string> names;
+        for (const json& each : parameters) {
+            if (resolved(each)["in"] == "query") names.insert(resolved(each)["name"]);
+        }
+        for (const char* name : {"a", "b", "limit", "cursor", "ranker", "pose", "class", "rerank",
+                                 "include", "name"}) {
+            // A space is a value that none takes but texts; what counts is whether it is unknown.
+            const RawAnswer answer = server_.ask(get(address + "?" + name + "=+"));
+            const bool unknown = answer.body.find("parameter_unknown") != std::string::npos;
+            const bool missing = answer.body.find("parameter_missing") != std::string::npos;
+            if (!missing) EXPECT_EQ(unknown, !names.contains(name)) << path << " " << name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace ossuary::test

@@ -1,0 +1,274 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "tests/server/test_server.h"
+
+namespace ossuary::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Search : public testing::Test {
+protected:
+    TemporaryFolder folder_;
+    fs::path index_ = copy_of_built_index(folder_.path());
+    TestServer server_{index_};
+
+    static const std::string& tree() { return built_models()[4].off; }
+    static std::string form(std::string_view field, std::string_view file, std::string_view bytes) {
+        return "--b\r\nContent-Disposition: form-data; name=\"" + std::string(field) +
+               "\"; filename=\"" + std::string(file) + "\"\r\n\r\n" + std::string(bytes) +
+               "\r\n--b--\r\n";
+    }
+    static constexpr const char* kForm = "Content-Type: multipart/form-data; boundary=b\r\n";
+};
+
+TEST_F(Search, FindsTheUploadedModelFirst) {
+    for (const BuiltModel& model : built_models()) {
+        const auto json = server_.json(post("/v1/search?limit=3", model.off));
+        ASSERT_EQ(json["hits"].size(), 3u) << model.name;
+        EXPECT_EQ(json["hits"][0]["name"], model.name);
+        EXPECT_EQ(json["hits"][0]["class"], model.class_name);
+        EXPECT_EQ(json["hits"][0]["rank"], 1);
+        EXPECT_NEAR(json["hits"][0]["distance"].get<double>(), 0.0, 1e-6) << model.name;
+        EXPECT_LE(json["hits"][1]["distance"], json["hits"][2]["distance"]);
+    }
+}
+
+TEST_F(Search, DescribesQueryRankerAndStages) {
+    const auto json =
+        server_.json(post("/v1/search?ranker=skeleton&pose=0.5&rerank=false", tree()));
+    EXPECT_EQ(json["ranker"], "skeleton");
+    EXPECT_EQ(json["pose"], 0.5);
+    EXPECT_EQ(json["rerank"], false);
+    EXPECT_EQ(json["models"], 6);
+    EXPECT_GT(json["took_ms"].get<double>(), 0.0);
+    EXPECT_TRUE(json["stages_ms"].contains("read"));
+    EXPECT_TRUE(json["stages_ms"].contains("rank"));
+    const auto& query = json["query"];
+    EXPECT_EQ(query["name"], "upload");
+    EXPECT_GT(query["vertices"], 0);
+    EXPECT_FALSE(query["skeleton"]["nodes"].empty());
+    EXPECT_EQ(query["skeleton"]["branches"][0]["points"].size(),
+              query["skeleton"]["branches"][0]["radii"].size());
+    EXPECT_FALSE(query.contains("mesh"));
+    for (const auto& pair : json["hits"][0]["match"]["nodes"]) {
+        EXPECT_LT(pair["a"], query["skeleton"]["nodes"].size());
+    }
+    EXPECT_EQ(json["hits"][0]["matched_nodes"], json["hits"][0]["match"]["nodes"].size());
+}
+
+TEST_F(Search, GivesAPreviewOfTheQueryWhenAsked) {
+    const auto mesh =
+        server_.json(post("/v1/search?include=mesh&limit=1", tree()))["query"]["mesh"];
+    ASSERT_FALSE(mesh["triangles"].empty());
+    EXPECT_EQ(mesh["triangles"].size() % 3, 0u);
+    EXPECT_LE(mesh["triangles"].size(), 3u * 2000u);
+    for (const auto& corner : mesh["triangles"]) EXPECT_LT(corner, mesh["positions"].size() / 3);
+}
+
+TEST_F(Search, TakesFormsAndNamesTheQueryAfterTheFile) {
+    const auto json =
+        server_.json(post("/v1/search?limit=1", form("model", "my.tree.off", tree()), kForm));
+    EXPECT_EQ(json["query"]["name"], "my.tree");
+    EXPECT_EQ(json["hits"][0]["name"], "treea");
+    const auto named =
+        server_.json(post("/v1/search?name=oak", form("model", "x.off", tree()), kForm));
+    EXPECT_EQ(named["query"]["name"], "oak");
+}
+
+TEST_F(Search, RefusesFormsWithoutTheModel) {
+    EXPECT_EQ(server_.code(post("/v1/search", form("file", "x.off", tree()), kForm), 400),
+              "multipart_invalid");
+    EXPECT_EQ(server_.code(post("/v1/search", tree(), kForm), 400), "multipart_invalid");
+    EXPECT_EQ(server_.code(post("/v1/search", form("model", "x.off", ""), kForm), 400),
+              "body_empty");
+}
+
+TEST_F(Search, TakesTheContentTypesOfModels) {
+    for (const char* type :
+         {"model/off", "application/octet-stream", "text/plain; charset=utf-8"}) {
+        EXPECT_EQ(server_
+                      .ask(post("/v1/search?limit=1", tree(),
+                                "Content-Type: " + std::string(type) + "\r\n"))
+                      .status,
+                  200)
+            << type;
+    }
+    EXPECT_EQ(server_.code(post("/v1/search", tree(), "Content-Type: image/png\r\n"), 415),
+              "media_type_unsupported");
+}
+
+TEST_F(Search, NamesTheParameterAtFault) {
+    const auto fault = [&](std::string_view query) {
+        const auto json = server_.json(post("/v1/search?" + std::string(query), tree()), 400);
+        return json.value("code", "") + ":" + json.value("parameter", "");
+    };
+    for (const char* limit : {"0", "1001", "-1", "1.5", "ten", "", "+1", "1e3"}) {
+        EXPECT_EQ(fault("limit=" + std::string(limit)), "parameter_invalid:limit") << limit;
+    }
+    for (const char* pose : {"-0.1", "1.1", "nan", "inf", "", "half"}) {
+        EXPECT_EQ(fault("pose=" + std::string(pose)), "parameter_invalid:pose") << pose;
+    }
+    EXPECT_EQ(fault("ranker=best"), "parameter_invalid:ranker");
+    EXPECT_EQ(fault("rerank=yes"), "parameter_invalid:rerank");
+    EXPECT_EQ(fault("include=everything"), "parameter_invalid:include");
+    EXPECT_EQ(fault("class="), "parameter_invalid:class");
+    EXPECT_EQ(fault("limits=3"), "parameter_unknown:limits");
+    EXPECT_EQ(fault("limit=3&limit=4"), "parameter_repeated:limit");
+}
+
+TEST_F(Search, FiltersByClass) {
+    const auto json = server_.json(post("/v1/search?class=ring", tree()));
+    ASSERT_EQ(json["hits"].size(), 2u);
+    for (const auto& hit : json["hits"]) EXPECT_EQ(hit["class"], "ring");
+    EXPECT_TRUE(server_.json(post("/v1/search?class=nothing", tree()))["hits"].empty());
+}
+
+TEST_F(Search, AnswersTheSameForEveryRankerTwice) {
+    for (const char* ranker : {"hybrid", "skeleton", "chain-code"}) {
+        const std::string request = post("/v1/search?ranker=" + std::string(ranker), tree());
+        EXPECT_EQ(server_.json(request)["hits"], server_.json(request)["hits"]) << ranker;
+    }
+}
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return std::move(text).str();
+}
+
+TEST_F(Search, AnswersBadUploadsWithProblemsAndWritesNothing) {
+    const std::string before = bytes_of(index_);
+    const auto written = fs::last_write_time(index_);
+    std::string binary = "\x89PNG\r\n";
+    for (int i = 0; i < 10'000; ++i) binary.push_back(static_cast<char>(i * 37));
+
+    EXPECT_EQ(server_.code(post("/v1/search", ""), 400), "body_empty");
+    EXPECT_EQ(server_.code(test::request("POST", "/v1/search"), 411), "length_required");
+    const auto truncated =
+        server_.json(post("/v1/search", tree().substr(0, tree().size() / 2)), 422);
+    EXPECT_EQ(truncated["code"], "off_truncated");
+    EXPECT_NE(truncated["detail"].get<std::string>().find("line"), std::string::npos);
+    EXPECT_EQ(server_.code(post("/v1/search", binary), 415), "format_unknown");
+    EXPECT_EQ(server_.code(post("/v1/search", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), 422),
+              "off_index_out_of_range");
+    EXPECT_EQ(server_.code(post("/v1/search", "OFF\n4000000000 1 0\n"), 413),
+              "off_too_many_vertices");
+
+    EXPECT_EQ(server_.json(post("/v1/search", tree()))["hits"][0]["name"], "treea");
+    EXPECT_EQ(bytes_of(index_), before);
+    EXPECT_EQ(fs::last_write_time(index_), written);
+}
+
+TEST_F(Search, AnswersSixtyMegabytesOfNonsense) {
+    std::string nonsense(60'000'000, ' ');
+    std::uint32_t state = 1;
+    for (char& c : nonsense) {
+        state = state * 1664525u + 1013904223u;
+        c = static_cast<char>(state >> 24);
+    }
+    EXPECT_EQ(server_.code(post("/v1/search", nonsense), 415), "format_unknown");
+    EXPECT_EQ(server_.json(get("/livez"))["status"], "ok");
+    // The same as numbers that go on for ever.
+    std::string numbers = "OFF\n4000000 4000000 0\n";
+    while (numbers.size() < 60'000'000) numbers += "0.125 0.25 0.5\n";
+    const auto refused = server_.json(post("/v1/search", numbers), 422);
+    EXPECT_EQ(refused["code"].get<std::string>().substr(0, 4), "off_");
+    EXPECT_EQ(server_.json(get("/livez"))["status"], "ok");
+}
+
+TEST_F(Search, RefusesUploadsOverTheLimitAndSaysHowMuchItTakes) {
+    const TestServer small(index_,
+                           [](server::ServerOptions& options) { options.http.max_body = 1000; });
+    const auto refused = small.json(post("/v1/search", std::string(1001, 'x')), 413);
+    EXPECT_EQ(refused["code"], "payload_too_large");
+    EXPECT_NE(refused["detail"].get<std::string>().find("1000"), std::string::npos);
+}
+
+TEST_F(Search, RefusesPagesOfOtherSites) {
+    EXPECT_EQ(server_.code(post("/v1/search", tree(), "Sec-Fetch-Site: cross-site\r\n"), 403),
+              "cross_site_request");
+    EXPECT_EQ(
+        server_.ask(post("/v1/search?limit=1", tree(), "Sec-Fetch-Site: same-origin\r\n")).status,
+        200);
+}
+
+TEST_F(Search, AnswersManyClientsAtOnceAsItAnswersOne) {
+    std::vector<nlohmann::json> alone;
+    for (const BuiltModel& model : built_models()) {
+        alone.push_back(server_.json(post("/v1/search", model.off))["hits"]);
+    }
+    std::atomic<int> same = 0;
+    {
+        std::vector<std::jthread> clients;
+        for (std::size_t i = 0; i < 12; ++i) {
+            clients.emplace_back([&, i] {
+                const std::size_t k = i % alone.size();
+                if (server_.json(post("/v1/search", built_models()[k].off))["hits"] == alone[k]) {
+                    ++same;
+                }
+            });
+        }
+    }
+    EXPECT_EQ(same, 12);
+}
+
+TEST_F(Search, TurnsSearchesAwayWhenTooManyWait) {
+    const TestServer busy(index_, [](server::ServerOptions& options) {
+        options.searches = 1;
+        options.searches_waiting = 0;
+    });
+    std::atomic<int> answered = 0;
+    std::atomic<int> refused = 0;
+    std::atomic<int> other = 0;
+    {
+        std::vector<std::jthread> clients;
+        for (int i = 0; i < 8; ++i) {
+            clients.emplace_back([&] {
+                for (int k = 0; k < 4; ++k) {
+                    const RawAnswer answer = busy.ask(post("/v1/search", tree()));
+                    if (answer.status == 200) {
+                        ++answered;
+                    } else if (answer.status == 503 && !answer.header("Retry-After").empty()) {
+                        ++refused;
+                    } else {
+                        ++other;
+                    }
+                }
+            });
+        }
+    }
+    EXPECT_GT(answered, 0);
+    EXPECT_GT(refused, 0);
+    EXPECT_EQ(other, 0);
+    EXPECT_EQ(busy.ask(post("/v1/search", tree())).status, 200);
+}
+
+TEST_F(Search, SeesModelsThatAreIndexedMeanwhile) {
+    EXPECT_EQ(server_.json(post("/v1/search", tree()))["models"], 6);
+    index_model(index_, "newcomer", built_models()[2].off + "# another file\n");
+    const auto json = server_.json(post("/v1/search?limit=2", built_models()[2].off));
+    EXPECT_EQ(json["models"], 7);
+    std::vector<std::string> names = {json["hits"][0]["name"], json["hits"][1]["name"]};
+    std::sort(names.begin(), names.end());
+    EXPECT_EQ(names, (std::vector<std::string>{"newcomer", "ringa"}));
+}
+
+TEST_F(Search, FinishesASearchThatIsUnderWayWhenStopped) {
+    RawClient client(server_.port());
+    client.send(post("/v1/search", tree()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    server_.stop();
+    const RawAnswer answer = client.receive();
+    EXPECT_EQ(answer.status, 200);
+    EXPECT_EQ(answer.header("Connection"), "close");
+}
+
+}  // namespace
+}  // namespace ossuary::test
