@@ -92,7 +92,10 @@ void initialize(Connection& connection, const IndexParameters& parameters) {
     SQLite::Database& database = connection.database();
     SQLite::Transaction transaction(database, SQLite::TransactionBehavior::EXCLUSIVE);
     // Another process may have been first.
-    if (connection.integer("PRAGMA page_count") > 0) return;
+    if (connection.integer("PRAGMA application_id") != 0 ||
+        connection.integer("SELECT count(*) FROM sqlite_schema") != 0) {
+        return;
+    }
     database.exec("PRAGMA application_id = " + std::to_string(kApplicationId));
     for (const Migration& migration : migrations()) database.exec(std::string(migration.sql));
     database.exec("PRAGMA user_version = " + std::to_string(schema_version()));
