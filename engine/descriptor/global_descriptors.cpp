@@ -16,7 +16,7 @@ namespace ossuary {
 namespace {
 
 /// Voxels to a node of the graph: a third of the resolution keeps a model at about 1,500 nodes.
-constexpr int kCellSize = 3;
+constexpr int kCellSize = 4;
 
 /// Eight running sums, so that the compiler may use vector registers without reordering anything.
 template <typename Term>
@@ -50,7 +50,7 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
     add(spherical_harmonics(surface, solid));
     add(depth_fourier(surface, DepthFrame::kPositions));
     add(depth_fourier(surface, DepthFrame::kNormals));
-    add(distance_angle(graph));
+    add(distance_angle(surface));
     return globals;
 }
 

@@ -9,7 +9,7 @@ namespace ossuary {
 namespace {
 
 constexpr int kBins = 16;
-constexpr int kSources = 24;
+constexpr int kSources = 16;
 
 }  // namespace
 

@@ -10,17 +10,21 @@ namespace ossuary {
 namespace {
 
 constexpr double kFormat = 1.0;
-constexpr std::size_t kHeader = 3 + kComponentCount;
-constexpr std::size_t kRecord = 2 + kComponentCount;
+constexpr std::size_t kScaleSize = 2 * kComponentCount;
+constexpr std::size_t kHeader = 3 + kScaleSize;
+constexpr std::size_t kRecord = 2 + kScaleSize;
 /// Distances are taken to at most this many models.
 constexpr std::size_t kMaxReferences = 500;
 /// Collections up to this size know the scale of every model, larger ones of the references only.
 constexpr std::size_t kMaxKnown = 2000;
-/// Built-in scales: mean distances over a mixed collection. They hold until a collection has its
-/// own, and weigh as much as this many distances against those.
-constexpr ModelScale kTypicalScale = {0.35, 1.0, 0.5, 0.1, 0.1, 0.6};
+/// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
+/// weighs as much as this many distances against those.
+constexpr ModelScale kTypicalScale = {{0.52, 1.48, 1.78, 1.01, 1.05, 0.59},
+                                      {0.074, 0.38, 0.78, 0.22, 0.22, 0.29}};
 constexpr double kTypicalWeight = 10.0;
 constexpr double kPooledWeight = 4.0;
+/// A deviation is at least this share of the mean, for collections of copies.
+constexpr double kLeastDeviation = 0.05;
 
 /// Identifies a descriptor by its signature, which every part of it has a share in.
 std::uint64_t model_key(const ModelDescriptor& model) {
@@ -34,26 +38,59 @@ std::uint64_t model_key(const ModelDescriptor& model) {
     return hash;
 }
 
-/// A running mean for each component; what is not finite does not count.
+/// Running moments for each component; what is not finite does not count.
 struct ScaleSum {
     ComponentValues sum{};
+    ComponentValues square_sum{};
     ComponentValues count{};
 
     void add(const ComponentValues& distances) {
         for (std::size_t c = 0; c < kComponentCount; ++c) {
             if (!std::isfinite(distances[c])) continue;
             sum[c] += distances[c];
+            square_sum[c] += distances[c] * distances[c];
             count[c] += 1.0;
         }
     }
-    [[nodiscard]] ModelScale mean(const ModelScale& prior, double prior_weight) const {
-        ModelScale scale{};
+    void add(const ScaleSum& other) {
         for (std::size_t c = 0; c < kComponentCount; ++c) {
-            scale[c] = (sum[c] + prior_weight * prior[c]) / (count[c] + prior_weight);
+            sum[c] += other.sum[c];
+            square_sum[c] += other.square_sum[c];
+            count[c] += other.count[c];
+        }
+    }
+    /// The moments with `weight` further distances of the prior's moments among them.
+    [[nodiscard]] ModelScale scale(const ModelScale& prior, double weight) const {
+        ModelScale scale;
+        for (std::size_t c = 0; c < kComponentCount; ++c) {
+            const double prior_mean = prior.mean[c], prior_deviation = prior.deviation[c];
+            const double total = count[c] + weight;
+            const double mean = (sum[c] + weight * prior_mean) / total;
+            const double square = (square_sum[c] + weight * (prior_mean * prior_mean +
+                                                             prior_deviation * prior_deviation)) /
+                                  total;
+            scale.mean[c] = mean;
+            scale.deviation[c] =
+                std::max(std::sqrt(std::max(square - mean * mean, 0.0)), kLeastDeviation * mean);
         }
         return scale;
     }
 };
+
+void append(const ModelScale& scale, std::vector<double>& values) {
+    values.insert(values.end(), scale.mean.begin(), scale.mean.end());
+    values.insert(values.end(), scale.deviation.begin(), scale.deviation.end());
+}
+
+/// @pre kScaleSize values from `at` on
+ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
+    ModelScale scale;
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(at), kComponentCount,
+                scale.mean.begin());
+    std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(at + kComponentCount), kComponentCount,
+                scale.deviation.begin());
+    return scale;
+}
 
 /// Indices of the reference models: all, or evenly spread over the collection.
 std::vector<std::size_t> reference_models(std::size_t count) {
@@ -105,15 +142,12 @@ Normalization::Normalization(const CollectionStatistics& statistics) : pooled_(k
         return;
     }
     collection_size_ = static_cast<std::size_t>(std::max(values[2], 0.0));
-    std::copy_n(values.begin() + 3, kComponentCount, pooled_.begin());
+    pooled_ = read_scale(values, 3);
     known_.reserve((values.size() - kHeader) / kRecord);
     for (std::size_t at = kHeader; at < values.size(); at += kRecord) {
         const std::uint64_t key = (static_cast<std::uint64_t>(values[at]) << 32) |
                                   static_cast<std::uint64_t>(values[at + 1]);
-        ModelScale scale{};
-        std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(at + 2), kComponentCount,
-                    scale.begin());
-        known_.emplace(key, scale);
+        known_.emplace(key, read_scale(values, at + 2));
     }
 }
 
@@ -126,7 +160,7 @@ const ModelScale* Normalization::find(const ModelDescriptor& model) const {
 ModelScale scale_of_row(const std::vector<ComponentValues>& distances, const ModelScale& pooled) {
     ScaleSum sum;
     for (const ComponentValues& values : distances) sum.add(values);
-    return sum.mean(pooled, kPooledWeight);
+    return sum.scale(pooled, kPooledWeight);
 }
 
 CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs) {
@@ -139,25 +173,19 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs) 
     const std::vector<ScaleSum> sums = sum_distances(collection, rows, references, jobs);
 
     ScaleSum all;
-    for (const ScaleSum& sum : sums) {
-        for (std::size_t c = 0; c < kComponentCount; ++c) {
-            all.sum[c] += sum.sum[c];
-            all.count[c] += sum.count[c];
-        }
-    }
-    const ModelScale pooled = all.mean(kTypicalScale, kTypicalWeight);
+    for (const ScaleSum& sum : sums) all.add(sum);
+    const ModelScale pooled = all.scale(kTypicalScale, kTypicalWeight);
 
     CollectionStatistics statistics;
     std::vector<double>& values = statistics.values;
     values = {kFormat, static_cast<double>(kComponentCount),
               static_cast<double>(collection.size())};
-    values.insert(values.end(), pooled.begin(), pooled.end());
+    append(pooled, values);
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const std::uint64_t key = model_key(*collection[rows[row]]);
         values.push_back(static_cast<double>(key >> 32));
         values.push_back(static_cast<double>(key & 0xFFFFFFFFULL));
-        const ModelScale scale = sums[row].mean(pooled, kPooledWeight);
-        values.insert(values.end(), scale.begin(), scale.end());
+        append(sums[row].scale(pooled, kPooledWeight), values);
     }
     return statistics;
 }

@@ -7,15 +7,19 @@
 
 namespace ossuary {
 
-/// How far other models typically are from one, in each component: what its distances are divided
+/// How far other models typically are from one, in each component: what its distances are judged
 /// by, so that components of different units can be added and a model that is near to everything
 /// does not come up everywhere.
-using ModelScale = ComponentValues;
+struct ModelScale {
+    ComponentValues mean{};
+    ComponentValues deviation{};  ///< standard deviation, above 0
+};
 
 /// CollectionStatistics, read: the scale of each model that it knows and of all together.
 ///
 /// Layout of `values`: format, number of components, number of models that the statistics are of,
-/// the pooled scale, then for each known model the two halves of its key and its scale.
+/// the pooled scale, then for each known model the two halves of its key and its scale; a scale is
+/// the means of all components, then the deviations.
 class Normalization {
 public:
     /// Statistics that are empty or of another format leave the built-in scale.
