@@ -1,0 +1,30 @@
+#include "index/thumbnail/png_bytes.h"
+
+#include <png.h>
+
+#include <cassert>
+#include <string>
+
+namespace ossuary::index {
+
+Result<std::vector<std::uint8_t>> png_bytes(std::span<const std::uint8_t> pixels, int width,
+                                            int height, int channels) {
+    assert(channels == 3 || channels == 4);
+    assert(pixels.size() == std::size_t(width) * std::size_t(height) * std::size_t(channels));
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(width);
+    image.height = static_cast<png_uint_32>(height);
+    image.format = channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    // 3 ms for a thumbnail, where the default effort takes 9 for a file 7 % smaller.
+    image.flags = PNG_IMAGE_FLAG_FAST;
+    std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(image));
+    png_alloc_size_t size = bytes.size();
+    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
+        return {ErrorCode::kInternal, std::string("libpng failed: ") + image.message};
+    }
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace ossuary::index

@@ -1,0 +1,231 @@
+#include "index/thumbnail/thumbnail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "engine/mesh/measures.h"
+#include "engine/mesh/weld.h"
+#include "index/thumbnail/outline_mask.h"
+#include "index/thumbnail/png_bytes.h"
+#include "index/thumbnail/ray_scene.h"
+#include "index/thumbnail/smooth_shading.h"
+
+namespace ossuary::index {
+namespace {
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+float linear_from_srgb(std::uint8_t byte) {
+    const float s = static_cast<float>(byte) / 255.0f;
+    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+}
+
+std::uint8_t srgb_from_linear(float linear) {
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    const float s = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+    return static_cast<std::uint8_t>(std::lround(255.0f * s));
+}
+
+Vec3f linear_color(const Rgb& srgb) {
+    return {linear_from_srgb(srgb[0]), linear_from_srgb(srgb[1]), linear_from_srgb(srgb[2])};
+}
+
+Result<void> check(const TriangleMesh& mesh, const ThumbnailOptions& options) {
+    const auto invalid = [](const char* text) -> Result<void> {
+        return {ErrorCode::kInvalidArgument, text};
+    };
+    if (options.size < 16 || options.size > 2048) {
+        return invalid("thumbnail size: expected 16 to 2048 pixels");
+    }
+    if (options.samples_per_side < 1 || options.samples_per_side > 8) {
+        return invalid("thumbnail samples: expected 1 to 8 along a pixel's side");
+    }
+    if (!(options.margin >= 0 && options.margin < 0.5)) {
+        return invalid("thumbnail margin: expected 0 to 0.5 of the picture");
+    }
+    if (!(options.up.cross(options.towards_viewer).norm() > 1e-9)) {
+        return invalid("thumbnail view: expected an upward direction across the line of sight");
+    }
+    if (mesh.empty()) return {ErrorCode::kMeshEmpty, "a mesh without triangles has no picture"};
+    if (!(measure(mesh).surface_area > 0)) {
+        return {ErrorCode::kMeshNoExtent, "a mesh without area has no picture"};
+    }
+    return {};
+}
+
+/// The vertices as they fall into the picture: in pixels, x to the right and y downwards from the
+/// upper left corner, z towards the viewer.
+std::vector<Vec3f> framed_vertices(const TriangleMesh& mesh, const ThumbnailOptions& options) {
+    const Vec3 towards = options.towards_viewer.normalized();
+    const Vec3 right = options.up.cross(towards).normalized();
+    Mat3 view;
+    view.row(0) = right;
+    view.row(1) = right.cross(towards);  // downwards
+    view.row(2) = towards;
+    const Vec3 origin = mesh.vertices[0];  // so that a place far away costs no digits
+    std::vector<Vec3> seen(mesh.vertices.size());
+    Box3 bounds;
+    for (std::size_t v = 0; v < seen.size(); ++v) {
+        seen[v] = view * (mesh.vertices[v] - origin);
+        bounds.extend(seen[v]);
+    }
+    // A line of sight along a flat model leaves it one-dimensional: its depth then sets the scale.
+    const double widest = std::max(bounds.sizes().x(), bounds.sizes().y());
+    const double scale =
+        options.size * (1 - 2 * options.margin) / (widest > 0 ? widest : bounds.sizes().z());
+    const Vec3 middle(options.size / 2.0, options.size / 2.0, 0.0);
+    std::vector<Vec3f> vertices(seen.size());
+    for (std::size_t v = 0; v < seen.size(); ++v) {
+        vertices[v] = (scale * (seen[v] - bounds.center()) + middle).cast<float>();
+    }
+    return vertices;
+}
+
+struct Pixel {
+    Vec3f light = Vec3f::Zero();  // linear, of the part that the surface covers
+    float covered = 0.0f;
+};
+
+/// Draws one ray through each pixel first, then more through those where that is not enough. Of
+/// 590 k rays for nine in every pixel about 200 k are left, at 16 where it counts.
+class Painter {
+public:
+    Painter(const TriangleMesh& mesh, const std::vector<Vec3f>& vertices, const RayScene& scene,
+            const ThumbnailOptions& options)
+        : mesh_(mesh),
+          vertices_(vertices),
+          scene_(scene),
+          options_(options),
+          normals_(vertices, mesh.triangles),
+          color_(linear_color(options.color)),
+          pixels_(static_cast<std::size_t>(options.size * options.size)),
+          normal_of_(pixels_.size(), Vec3f::Zero()) {
+        for (const Vec3f& vertex : vertices) nearest_ = std::max(nearest_, vertex.z());
+        nearest_ += 1.0f;
+    }
+
+    std::vector<Pixel> paint() {
+        paint_centers();
+        std::vector<std::uint8_t> refine = outline_mask(mesh_, vertices_, options_.size);
+        mark_differences(refine);
+        for (std::size_t p = 0; p < pixels_.size(); ++p) {
+            if (refine[p] != 0) refine_pixel(p);
+        }
+        return std::move(pixels_);
+    }
+
+private:
+    void paint_centers() {
+        const int size = options_.size;
+        std::vector<Vec3f> origins(static_cast<std::size_t>(size));
+        std::vector<RayHit> hits(origins.size());
+        std::size_t p = 0;
+        for (int row = 0; row < size; ++row) {
+            for (int i = 0; i < size; ++i) {
+                origins[std::size_t(i)] = {float(i) + 0.5f, float(row) + 0.5f, nearest_};
+            }
+            scene_.first_hits(origins, hits);
+            for (const RayHit& hit : hits) {
+                if (hit.triangle != RayHit::kNone) {
+                    normal_of_[p] = normals_.at(hit);
+                    pixels_[p] = {lit_color(normal_of_[p], color_), 1.0f};
+                }
+                ++p;
+            }
+        }
+    }
+
+    /// Marks pixels that differ much from the one to their right or below; the normal is zero where
+    /// there is no surface. This finds what outlines do not: pieces that pass through each other.
+    void mark_differences(std::vector<std::uint8_t>& refine) const {
+        const auto size = static_cast<std::size_t>(options_.size);
+        const auto compare = [&](std::size_t p, std::size_t q) {
+            constexpr float kMuch = 0.3f;
+            if ((normal_of_[p] - normal_of_[q]).squaredNorm() > kMuch) refine[p] = refine[q] = 1;
+        };
+        for (std::size_t row = 0; row < size; ++row) {
+            for (std::size_t column = 0; column < size; ++column) {
+                const std::size_t p = row * size + column;
+                if (column + 1 < size) compare(p, p + 1);
+                if (row + 1 < size) compare(p, p + size);
+            }
+        }
+    }
+
+    void refine_pixel(std::size_t p) {
+        const int side = options_.samples_per_side;
+        const auto samples = static_cast<std::size_t>(side * side);
+        origins_.resize(samples);
+        hits_.resize(samples);
+        const auto column = static_cast<float>(p % std::size_t(options_.size));
+        const auto row = static_cast<float>(p / std::size_t(options_.size));
+        for (int i = 0; i < side * side; ++i) {
+            const float x = (static_cast<float>(i % side) + 0.5f) / static_cast<float>(side);
+            const float y = (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side);
+            origins_[std::size_t(i)] = {column + x, row + y, nearest_};
+        }
+        scene_.first_hits(origins_, hits_);
+        Vec3f light = Vec3f::Zero();
+        int met = 0;
+        for (const RayHit& hit : hits_) {
+            if (hit.triangle == RayHit::kNone) continue;
+            light += lit_color(normals_.at(hit), color_);
+            ++met;
+        }
+        pixels_[p] = {};
+        if (met == 0) return;
+        pixels_[p].light = light / static_cast<float>(met);
+        pixels_[p].covered = static_cast<float>(met) / static_cast<float>(samples);
+    }
+
+    const TriangleMesh& mesh_;
+    const std::vector<Vec3f>& vertices_;
+    const RayScene& scene_;
+    const ThumbnailOptions& options_;
+    SmoothNormals normals_;
+    Vec3f color_;
+    float nearest_ = 0.0f;
+    std::vector<Pixel> pixels_;
+    std::vector<Vec3f> normal_of_;
+    std::vector<Vec3f> origins_;
+    std::vector<RayHit> hits_;
+};
+
+std::vector<std::uint8_t> to_bytes(const std::vector<Pixel>& pixels,
+                                   const ThumbnailOptions& options) {
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(pixels.size() * (options.background ? 3 : 4));
+    for (const Pixel& pixel : pixels) {
+        if (pixel.covered == 0.0f && !options.background) {
+            bytes.insert(bytes.end(), 4, 0);
+            continue;
+        }
+        Vec3f light = pixel.light;
+        if (options.background) {
+            light = pixel.covered * light + (1 - pixel.covered) * linear_color(*options.background);
+        }
+        for (const float x : light) bytes.push_back(srgb_from_linear(x));
+        if (!options.background) {
+            bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * pixel.covered)));
+        }
+    }
+    return bytes;
+}
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> render_thumbnail(const TriangleMesh& mesh,
+                                                   const ThumbnailOptions& options) {
+    if (Result<void> checked = check(mesh, options); !checked) return checked.error();
+    const TriangleMesh welded = weld(mesh).mesh;  // so that shading runs across a soup's seams
+    const std::vector<Vec3f> vertices = framed_vertices(welded, options);
+    const Result<RayScene> scene = RayScene::build(vertices, welded.triangles);
+    if (!scene) return scene.error();
+    const std::vector<Pixel> pixels = Painter(welded, vertices, *scene, options).paint();
+    return png_bytes(to_bytes(pixels, options), options.size, options.size,
+                     options.background ? 3 : 4);
+}
+
+}  // namespace ossuary::index

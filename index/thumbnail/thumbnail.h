@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary::index {
+
+struct ThumbnailOptions {
+    int size = 256;            ///< pixels on each side, in [16, 2048]
+    int samples_per_side = 4;  ///< along each side of a pixel at outlines and creases, in [1, 8]
+    /// From the model to the viewer, in model space, and what the picture shows upwards. Not
+    /// parallel, not zero.
+    Vec3 towards_viewer = Vec3(0.55, 0.45, 1.0);
+    Vec3 up = Vec3::UnitY();
+    double margin = 0.05;                                 ///< empty border, in parts of the picture
+    std::array<std::uint8_t, 3> color = {214, 204, 184};  ///< of the surface, sRGB
+    /// sRGB; transparent where none is given.
+    std::optional<std::array<std::uint8_t, 3>> background;
+};
+
+/// Draws a model from three quarters, framed to fill the picture, as a PNG file's bytes (RGBA, or
+/// RGB with a background). Surfaces are lit from both sides, so that soups with facets turned over
+/// look whole; facets that meet at less than 45 degrees are shaded as one curved surface. The same
+/// mesh gives the same bytes on the same machine. Runs on the calling thread.
+/// Errors: mesh_empty, mesh_no_extent, invalid_argument, out_of_memory.
+Result<std::vector<std::uint8_t>> render_thumbnail(const TriangleMesh& mesh,
+                                                   const ThumbnailOptions& options = {});
+
+}  // namespace ossuary::index
