@@ -32,7 +32,9 @@ Ordered in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
     return {b.rooted, a.rooted, true};
 }
 
-/// The shares of exchanging two pieces of branch, each already weighted.
+/// The shares of exchanging two pieces of branch, each already weighted. A share for the difference
+/// of their distances from the root made it worse: first tier of the ten classes .771 with weight
+/// .15, .784 without; so did weights of length times radius^.3 (.757 against .764 for length).
 struct ExchangeCost {
     float code = 0.0F;
     float length = 0.0F;

