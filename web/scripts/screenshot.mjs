@@ -49,6 +49,7 @@ try {
         viewport: { width: options.width, height: options.height },
         deviceScaleFactor: options.scale,
         colorScheme: options.dark ? 'dark' : 'light',
+        reducedMotion: 'reduce',
     });
     await page.goto(options.url, { waitUntil: 'networkidle' });
     await page.waitForFunction(
@@ -56,12 +57,15 @@ try {
         undefined,
         { timeout: 120_000 },
     );
+    // Lazy pictures are asked for only when they are near.
     await page.waitForFunction(() =>
-        [...document.images].every(
-            (image) => image.complete || image.getBoundingClientRect().top > innerHeight,
+        [...document.querySelectorAll('.thumbnail')].every(
+            (picture) =>
+                picture.matches('.thumbnail-ready, .thumbnail-missing') ||
+                picture.getBoundingClientRect().top > innerHeight,
         ),
     );
-    // Pictures that fade in, and the first frame of the 3D view.
+    // The first frame of the 3D view.
     await page.waitForTimeout(600);
     await page.screenshot({ path: options.out, fullPage: options.full });
 } finally {

@@ -1,0 +1,317 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+
+import { kClasses, kModelsPerClass, type WrittenModels, writeModels } from './models';
+import { buildIndex, type Server, startServer } from './server';
+import { launchBrowser, looksOf, type Visitor, visit } from './visitor';
+
+const kModels = kClasses.length * kModelsPerClass;
+
+let folder: string;
+let models: WrittenModels;
+let server: Server;
+let browser: Browser;
+let visitor: Visitor;
+
+beforeAll(async () => {
+    folder = mkdtempSync(join(tmpdir(), 'ossuary-browser-'));
+    models = writeModels(folder);
+    const index = join(folder, 'collection.ossuary');
+    buildIndex(index, models.folder, models.classes);
+    server = await startServer(index);
+    browser = await launchBrowser();
+});
+
+afterAll(async () => {
+    await browser?.close();
+    await server?.stop();
+    rmSync(folder, { recursive: true, force: true });
+});
+
+afterEach(async () => {
+    await visitor?.close();
+});
+
+async function open(hash = '#/', options: BrowserContextOptions = {}): Promise<Page> {
+    visitor = await visit(browser, server.origin, options);
+    await visitor.page.goto(`${server.origin}/${hash}`);
+    return visitor.page;
+}
+
+async function upload(page: Page, file: string): Promise<void> {
+    const chooser = page.waitForEvent('filechooser');
+    await page.getByRole('button', { name: 'Choose a model' }).click();
+    await (await chooser).setFiles(file);
+}
+
+function expectGoodManners(): void {
+    expect(visitor.complaints).toEqual([]);
+    expect(visitor.strangers).toEqual([]);
+}
+
+/** Presses Tab until the element that `selector` names has the focus. */
+async function tabTo(page: Page, selector: string, most = 60): Promise<void> {
+    for (let press = 0; press < most; press++) {
+        await page.keyboard.press('Tab');
+        if (await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector)) {
+            return;
+        }
+    }
+    throw new Error(`${selector} cannot be reached with ${most} presses of Tab`);
+}
+
+describe('the start page', () => {
+    it('shows the whole collection with its pictures', async () => {
+        const page = await open();
+        await page
+            .locator('.collection .card-link')
+            .nth(kModels - 1)
+            .waitFor();
+        expect(await page.locator('.collection .card-link').count()).toBe(kModels);
+        await page.locator('.thumbnail-ready').first().waitFor();
+        const widths = await page
+            .locator('.thumbnail-ready img')
+            .evaluateAll((images) =>
+                images.map((image) => (image as HTMLImageElement).naturalWidth),
+            );
+        expect(Math.min(...widths)).toBeGreaterThan(32);
+        expect((await looksOf(page.locator('.thumbnail-ready').first())).colors).toBeGreaterThan(3);
+        expectGoodManners();
+    });
+
+    it('finds models by class, and keeps the filter in the address', async () => {
+        const page = await open();
+        await page.locator('.collection .card-link').first().waitFor();
+        await page.locator('.filters [name=class]').fill('cross');
+        await page
+            .locator('.collection .count', { hasText: new RegExp(`^${kModelsPerClass}$`) })
+            .waitFor();
+        expect(await page.locator('.collection .tag').allTextContents()).toEqual(
+            Array(kModelsPerClass).fill('cross'),
+        );
+        await page.reload();
+        await page
+            .locator('.collection .count', { hasText: new RegExp(`^${kModelsPerClass}$`) })
+            .waitFor();
+        expect(await page.locator('.filters [name=class]').inputValue()).toBe('cross');
+        expectGoodManners();
+    });
+
+    it('shows the code of an upload that is cut off, and still takes a good one', async () => {
+        const page = await open();
+        await upload(page, models.truncated);
+        const code = page.locator('.notice-code');
+        await code.waitFor();
+        expect(await code.textContent()).toMatch(/^[a-z]+(_[a-z]+)+$/);
+        expect(await code.textContent()).toContain('truncated');
+        expect(page.url()).toBe(`${server.origin}/#/`);
+        // The browser itself reports the refusal, and nothing else may be wrong.
+        expect(visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
+        await upload(page, models.query);
+        await page.waitForURL('**/#/search');
+        expect(visitor.strangers).toEqual([]);
+    });
+});
+
+describe('a search by upload', () => {
+    it('leads to hits with pictures, to the 3D comparison and to the reports', async () => {
+        const page = await open();
+        await upload(page, models.query);
+        await page.waitForURL('**/#/search');
+        await page.locator('.hit-card').first().waitFor();
+        expect(await page.locator('.hit-card').count()).toBe(kModels);
+        expect(await page.locator('.hit-card .tag').first().textContent()).toBe('quadruped');
+        await page.locator('.hit-card .thumbnail-ready').first().waitFor();
+        await page.locator('.query-picture canvas').waitFor();
+        expect((await looksOf(page.locator('.query-picture canvas'))).drawn).toBeGreaterThan(0.02);
+
+        await page.locator('.hit-card a').first().click();
+        await page.waitForURL('**/#/search/hits/*');
+        const canvases = page.locator('dialog .pane-canvas');
+        await canvases.nth(1).waitFor();
+        expect(await canvases.count()).toBe(2);
+        for (const canvas of await canvases.all()) {
+            const { colors, drawn } = await looksOf(canvas);
+            expect(colors).toBeGreaterThan(5);
+            expect(drawn).toBeGreaterThan(0.02);
+        }
+        expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
+        expect(await page.locator('.parts-list dt').count()).toBeGreaterThan(0);
+
+        await page.keyboard.press('Escape');
+        await page.waitForURL('**/#/search');
+        expect(await page.locator('dialog').count()).toBe(0);
+        await page.getByRole('link', { name: 'Reports' }).click();
+        await page.locator('.metrics-table tbody tr').nth(2).waitFor();
+        const curve = page.locator('.curve canvas');
+        expect((await looksOf(curve)).colors).toBeGreaterThan(5);
+        expect(await page.locator('.confusion-table tbody tr').count()).toBe(kClasses.length);
+        expect(await page.locator('.class-table tbody tr').count()).toBe(kClasses.length);
+        expectGoodManners();
+    });
+
+    it('asks again for other options, and goes back and forward', async () => {
+        const page = await open();
+        await upload(page, models.query);
+        await page.waitForURL('**/#/search');
+        await page.locator('.hit-card').first().waitFor();
+        const again = page.waitForResponse((response) => response.url().includes('/v1/search'));
+        await page.getByText('Chain code', { exact: true }).click();
+        expect((await again).url()).toContain('ranker=chain-code');
+        await page.waitForURL('**/#/search?ranker=chain-code');
+        await page.locator('.hit-card a').first().click();
+        await page.locator('dialog .pane-canvas').first().waitFor();
+        await page.goBack();
+        await page.waitForURL('**/#/search?ranker=chain-code');
+        expect(await page.locator('dialog').count()).toBe(0);
+        await page.goBack();
+        await page.waitForURL('**/#/search');
+        expect(await page.locator('[value=hybrid]').isChecked()).toBe(true);
+        await page.goBack();
+        await page.locator('.drop-zone').waitFor();
+        await page.goForward();
+        await page.locator('.hit-card').first().waitFor();
+        expectGoodManners();
+    });
+
+    it('says that the upload is gone after a reload', async () => {
+        const page = await open();
+        await upload(page, models.query);
+        await page.waitForURL('**/#/search');
+        await page.reload();
+        await page.getByText('The uploaded model is gone.').waitFor();
+        expectGoodManners();
+    });
+});
+
+describe('the 3D comparison', () => {
+    async function openComparison(options: BrowserContextOptions = {}): Promise<Page> {
+        const page = await open(`#/models/${kModels}`, options);
+        await page.locator('.hit-card a').first().click();
+        await page.locator('.match-table tbody tr').first().waitFor();
+        return page;
+    }
+
+    it('lights up a branch in both pictures when its row is pointed at', async () => {
+        const page = await openComparison();
+        const canvases = await page.locator('dialog .pane-canvas').all();
+        const shots = () =>
+            Promise.all(canvases.map(async (c) => (await c.screenshot()).toString('base64')));
+        await page.locator('.match-summary').hover();
+        const before = await shots();
+        await page.locator('.match-table tbody tr').first().hover();
+        await page.waitForTimeout(300);
+        const during = await shots();
+        await page.locator('.match-summary').hover();
+        await page.waitForTimeout(300);
+        const after = await shots();
+        for (const [at, picture] of before.entries()) {
+            expect(during[at]).not.toBe(picture);
+            expect(after[at]).toBe(picture);
+        }
+        expectGoodManners();
+    });
+
+    it('turns both models by dragging one, and one alone on demand', async () => {
+        const page = await openComparison();
+        const [left, right] = await page.locator('dialog .pane-canvas').all();
+        if (!left || !right) {
+            throw new Error('there are no two pictures');
+        }
+        const drag = async () => {
+            const frame = await left.boundingBox();
+            const x = (frame?.x ?? 0) + 30;
+            const y = (frame?.y ?? 0) + (frame?.height ?? 0) - 40;
+            await page.mouse.move(x, y);
+            await page.mouse.down();
+            await page.mouse.move(x + 90, y, { steps: 4 });
+            await page.mouse.up();
+            await page.locator('.match-summary').hover();
+            await page.waitForTimeout(300);
+        };
+        const still = await right.screenshot();
+        await drag();
+        const together = await right.screenshot();
+        expect(together.equals(still)).toBe(false);
+        await page.getByText('Turn together').click();
+        const alone = await left.screenshot();
+        await drag();
+        expect((await right.screenshot()).equals(together)).toBe(true);
+        expect((await left.screenshot()).equals(alone)).toBe(false);
+        expectGoodManners();
+    });
+
+    it('keeps its tables where there is no WebGL', async () => {
+        visitor = await visit(browser, server.origin);
+        const { page } = visitor;
+        await page.addInitScript(() => {
+            HTMLCanvasElement.prototype.getContext = () => null;
+        });
+        await page.goto(`${server.origin}/#/models/${kModels}`);
+        await page.locator('.hit-card a').first().click();
+        await page.locator('dialog .no-webgl').waitFor();
+        expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
+        expectGoodManners();
+    });
+});
+
+describe('without a mouse', () => {
+    it('leads from the collection to a comparison and back', async () => {
+        const page = await open();
+        await page.locator('.collection .card-link').first().waitFor();
+        await tabTo(page, '.collection .card-link');
+        await page.keyboard.press('Enter');
+        await page.locator('.hit-card').first().waitFor();
+        await tabTo(page, '.hit-card a');
+        await page.keyboard.press('Enter');
+        await page.locator('.match-table tbody tr').first().waitFor();
+        const canvas = page.locator('dialog .pane-canvas').first();
+        await tabTo(page, 'dialog .pane-canvas');
+        const before = await canvas.screenshot();
+        await page.keyboard.press('ArrowRight');
+        await page.waitForTimeout(300);
+        expect((await canvas.screenshot()).equals(before)).toBe(false);
+        await tabTo(page, '.match-table tbody tr');
+        await page.locator('.match-table tr.chosen').waitFor();
+        await page.keyboard.press('Escape');
+        await page.locator('dialog').waitFor({ state: 'detached' });
+        expect(await page.evaluate(() => document.activeElement?.matches('.hit-card a'))).toBe(
+            true,
+        );
+        expectGoodManners();
+    });
+
+    it('uploads a model', async () => {
+        const page = await open();
+        await tabTo(page, '.drop-zone button');
+        const chooser = page.waitForEvent('filechooser');
+        await page.keyboard.press('Enter');
+        await (await chooser).setFiles(models.query);
+        await page.waitForURL('**/#/search');
+        await page.locator('.hit-card').first().waitFor();
+        expectGoodManners();
+    });
+});
+
+describe('any page', () => {
+    it.each([
+        ['#/', '.collection .card-link'],
+        [`#/models/${kModels}`, '.hit-card'],
+        ['#/reports', '.confusion-table'],
+        ['#/nowhere', '.notice'],
+    ])('%s fits a narrow screen, light and dark', async (hash, ready) => {
+        for (const colorScheme of ['light', 'dark'] as const) {
+            const page = await open(hash, { viewport: { width: 360, height: 740 }, colorScheme });
+            await page.locator(ready).first().waitFor();
+            const overflow = await page.evaluate(
+                () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+            );
+            expect(overflow).toBe(0);
+            expectGoodManners();
+            await visitor.close();
+        }
+    });
+});

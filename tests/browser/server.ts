@@ -1,0 +1,79 @@
+import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+function fromRoot(path: string): string {
+    return fileURLToPath(new URL(`../../${path}`, import.meta.url));
+}
+
+/** Where a program is that the tests cannot do without; `variable` overrides the build's own. */
+function program(variable: string, path: string): string {
+    const found = process.env[variable] ?? fromRoot(path);
+    if (!existsSync(found)) {
+        throw new Error(`${found} is missing: build it, or name another one in ${variable}`);
+    }
+    return found;
+}
+
+/** Indexes `folder` into `index` with the command line program. */
+export function buildIndex(index: string, folder: string, classes: string): void {
+    const ossuary = program('OSSUARY_BIN', 'build/release/bin/ossuary');
+    execFileSync(ossuary, ['index', '--index', index, '--classes', classes, folder], {
+        stdio: ['ignore', 'ignore', 'inherit'],
+        timeout: 150_000,
+    });
+}
+
+export interface Server {
+    /** As in http://127.0.0.1:40123 */
+    origin: string;
+    stop(): Promise<void>;
+}
+
+const kStartTimeoutMs = 30_000;
+
+function announcedOrigin(child: ChildProcess): Promise<string> {
+    return new Promise((resolve, reject) => {
+        let said = '';
+        const timer = setTimeout(
+            () => reject(new Error(`the server did not say where it listens: ${said}`)),
+            kStartTimeoutMs,
+        );
+        child.stdout?.setEncoding('utf8');
+        child.stdout?.on('data', (text: string) => {
+            said += text;
+            const origin = /listening on (http:\/\/\S+)/.exec(said)?.[1];
+            if (origin) {
+                clearTimeout(timer);
+                resolve(origin);
+            }
+        });
+        child.on('exit', (code) => {
+            clearTimeout(timer);
+            reject(new Error(`the server ended with exit code ${code}: ${said}`));
+        });
+    });
+}
+
+/** Serves `index` and the built gallery on a port that is free. */
+export async function startServer(index: string): Promise<Server> {
+    const web = fromRoot('web/dist');
+    if (!existsSync(`${web}/index.html`)) {
+        throw new Error('web/dist is missing: run `npm run build` in web/ first');
+    }
+    const server = program('OSSUARY_SERVER', 'build/release/bin/ossuary-server');
+    const child = spawn(server, ['--index', index, '--web', web, '--port', '0'], {
+        stdio: ['ignore', 'pipe', 'inherit'],
+    });
+    const ended = new Promise<void>((resolve) => child.on('exit', () => resolve()));
+    const origin = await announcedOrigin(child);
+    return {
+        origin,
+        async stop() {
+            child.kill('SIGTERM');
+            const hard = setTimeout(() => child.kill('SIGKILL'), 10_000);
+            await ended;
+            clearTimeout(hard);
+        },
+    };
+}
