@@ -8,53 +8,54 @@ namespace {
 /// Columns gathered at once: one cache line of the result, so that no step along the stride misses.
 constexpr std::size_t kTile = 16;
 
-/// The lower envelope of the parabolas f(q) + (x - q)^2 over one column.
+/// The lower envelope of the parabolas f(q) + (x - q)² over one column. 32 bits hold all values for
+/// sides up to 2^15, and divide in a third of the time of 64.
 class Envelope {
 public:
-    explicit Envelope(std::size_t length)
-        : apex_(length + 2), height_(length + 2), from_(length + 2) {}
+    explicit Envelope(std::size_t length) : parabolas_(length + 2) {}
 
     /// Transforms the run [begin, end) of set voxels in place. The background voxels that bound it
     /// (begin - 1 and end) have height 0, so that nothing beyond them can be nearer.
-    void transform(std::uint32_t* column, std::int64_t begin, std::int64_t end) {
-        apex_[0] = begin - 1;
-        height_[0] = 0;
-        from_[0] = begin;
-        std::size_t last = 0;
-        for (std::int64_t q = begin; q <= end; ++q) {
-            const std::int64_t height = q < end ? static_cast<std::int64_t>(column[q]) : 0;
-            std::int64_t from = first_below(q, height, last);
-            while (last > 0 && from <= from_[last]) from = first_below(q, height, --last);
-            if (from >= end) continue;
-            if (from <= from_[last]) {
-                apex_[last] = q;
-                height_[last] = height;
-                continue;
+    void transform(std::uint32_t* column, std::int32_t begin, std::int32_t end) {
+        Parabola* last = parabolas_.data();
+        *last = {begin - 1, (begin - 1) * (begin - 1), begin};
+        for (std::int32_t q = begin; q <= end; ++q) {
+            const std::int32_t height = q < end ? static_cast<std::int32_t>(column[q]) : 0;
+            const std::int32_t level = height + q * q;
+            std::int32_t from = first_below(q, level, *last);
+            while (last != parabolas_.data() && from <= last->from) {
+                from = first_below(q, level, *--last);
             }
-            ++last;
-            apex_[last] = q;
-            height_[last] = height;
-            from_[last] = from;
+            if (from >= end) continue;
+            if (from > last->from) ++last;
+            *last = {q, level, std::max(from, begin)};
         }
-        std::size_t k = 0;
-        for (std::int64_t x = begin; x < end; ++x) {
-            while (k < last && from_[k + 1] <= x) ++k;
-            const std::int64_t distance = x - apex_[k];
-            column[x] = static_cast<std::uint32_t>(distance * distance + height_[k]);
+        // From here on `from` of the one after is where a parabola ends.
+        last[1].from = end;
+        const Parabola* parabola = parabolas_.data();
+        for (std::int32_t x = begin; x < end; ++parabola) {
+            const std::int32_t apex = parabola->apex;
+            const std::int32_t height = parabola->level - apex * apex;
+            for (const std::int32_t to = parabola[1].from; x < to; ++x) {
+                column[x] = static_cast<std::uint32_t>((x - apex) * (x - apex) + height);
+            }
         }
     }
 
 private:
-    /// The first x >= 0 at which the parabola at q is below the one numbered k.
-    [[nodiscard]] std::int64_t first_below(std::int64_t q, std::int64_t height,
-                                           std::size_t k) const {
-        const std::int64_t rise = height + q * q - height_[k] - apex_[k] * apex_[k];
-        return rise < 0 ? 0 : rise / (2 * (q - apex_[k])) + 1;
+    struct Parabola {
+        std::int32_t apex;
+        std::int32_t level;  ///< height + apex²
+        std::int32_t from;   ///< first x where this one is the lowest
+    };
+
+    /// The first x >= 0 at which the parabola at q is below an earlier one.
+    static std::int32_t first_below(std::int32_t q, std::int32_t level, const Parabola& other) {
+        const std::int32_t rise = level - other.level;
+        return rise < 0 ? 0 : rise / (2 * (q - other.apex)) + 1;
     }
 
-    std::vector<std::int64_t> apex_;
-    std::vector<std::int64_t> height_;
-    std::vector<std::int64_t> from_;  ///< first x where this parabola is the lowest
+    std::vector<Parabola> parabolas_;
 };
 
 /// Along x the distance to the nearer end of the run is the whole story.
@@ -100,8 +101,8 @@ void transform_columns(std::uint32_t* values, std::size_t length, std::size_t st
                 const std::size_t begin = i;
                 while (i < last && column[i] != 0) ++i;
                 if (begin < i) {
-                    envelope.transform(column, static_cast<std::int64_t>(begin),
-                                       static_cast<std::int64_t>(i));
+                    envelope.transform(column, static_cast<std::int32_t>(begin),
+                                       static_cast<std::int32_t>(i));
                 }
             }
         }

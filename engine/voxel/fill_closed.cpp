@@ -32,12 +32,11 @@ void for_each_stretch(std::span<const Crossing> crossings, const SurfaceParts& p
     });
 }
 
-void mark(std::int32_t u, std::int32_t v, std::int32_t depth, int axis, const GridMesh& mesh,
-          BitVolume& volume) {
+Vec3i voxel_at(std::int32_t u, std::int32_t v, std::int32_t depth, int axis, const GridMesh& mesh) {
     Vec3i voxel =
         voxel_on_line(kAxisDirections[static_cast<std::size_t>(axis)], u, v, depth >> kGridBits);
     voxel[axis] = std::clamp(voxel[axis], mesh.low[axis], mesh.high[axis] - 1);
-    volume.set(voxel);
+    return voxel;
 }
 
 }  // namespace
@@ -52,18 +51,26 @@ void fill_inside(std::span<const Crossing> crossings, const SurfaceParts& parts,
                      });
 }
 
-void mark_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
-                 const GridMesh& mesh, BitVolume& volume) {
+void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
+                const GridMesh& mesh, std::vector<Vec3i>& voxels) {
     for_each_stretch(crossings, parts,
                      [&](std::int32_t u, std::int32_t v, std::int32_t from, std::int32_t to) {
                          if (first_centre_from(from) < first_centre_from(to)) return;
-                         mark(u, v, from + (to - from) / 2, axis, mesh, volume);
+                         voxels.push_back(voxel_at(u, v, from + (to - from) / 2, axis, mesh));
                      });
 }
 
-void mark_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
-                  BitVolume& volume) {
-    for (const Crossing& c : crossings) mark(c.u, c.v, c.depth, axis, mesh, volume);
+void add_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
+                 const BitVolume& solid, std::vector<Vec3i>& voxels) {
+    const LineDirection& direction = kAxisDirections[static_cast<std::size_t>(axis)];
+    for (const Crossing& c : crossings) {
+        const std::int32_t behind = first_centre_from(c.depth);
+        if (solid.test_or_false(voxel_on_line(direction, c.u, c.v, behind)) ||
+            solid.test_or_false(voxel_on_line(direction, c.u, c.v, behind - 1))) {
+            continue;
+        }
+        voxels.push_back(voxel_at(c.u, c.v, c.depth, axis, mesh));
+    }
 }
 
 }  // namespace ossuary

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/grid_mesh.h"
@@ -14,14 +15,15 @@ namespace ossuary {
 /// @param crossings  of the closed parts with the lines along axis 0
 void fill_inside(std::span<const Crossing> crossings, const SurfaceParts& parts, BitVolume& volume);
 
-/// Sets the voxels in which lines along an axis pass through the closed parts without meeting a
+/// Appends the voxels in which lines along an axis pass through the closed parts without meeting a
 /// voxel's centre: what sampling at centres loses of a part thinner than a voxel.
 /// @param crossings  of the closed parts with the lines along `axis`
-void mark_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
-                 const GridMesh& mesh, BitVolume& volume);
+void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
+                const GridMesh& mesh, std::vector<Vec3i>& voxels);
 
-/// Sets the voxels in which lines along an axis cross a surface.
-void mark_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
-                  BitVolume& volume);
+/// Appends the voxels in which lines along an axis cross a surface, unless a voxel of the solid has
+/// its centre right before or behind the crossing.
+void add_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
+                 const BitVolume& solid, std::vector<Vec3i>& voxels);
 
 }  // namespace ossuary

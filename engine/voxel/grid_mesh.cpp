@@ -32,7 +32,10 @@ public:
                     static_cast<std::uint32_t>(triple[2])) &
             mask_;
         while (slots_[slot] != kNone) {
-            if (known[slots_[slot]] == triple) return slots_[slot];
+            const Triple& other = known[slots_[slot]];
+            if (other[0] == triple[0] && other[1] == triple[1] && other[2] == triple[2]) {
+                return slots_[slot];
+            }
             slot = (slot + 1) & mask_;
         }
         slots_[slot] = static_cast<std::uint32_t>(known.size());

@@ -14,19 +14,24 @@ namespace ossuary {
 struct LineDirection {
     int axis = 0;
     std::array<int, 2> shear = {0, 0};
+    /// Cast only the lines (u, v) with bit (u, v, 0) set; without shear, and not null, only.
+    const BitVolume* only = nullptr;
 };
 
 /// The three axes.
-inline constexpr std::array<LineDirection, 3> kAxisDirections = {
-    LineDirection{0, {0, 0}}, LineDirection{1, {0, 0}}, LineDirection{2, {0, 0}}};
+inline constexpr std::array<LineDirection, 3> kAxisDirections = {LineDirection{0, {0, 0}, nullptr},
+                                                                 LineDirection{1, {0, 0}, nullptr},
+                                                                 LineDirection{2, {0, 0}, nullptr}};
 
 /// The thirteen directions between a voxel and its 26 neighbours: axes, face and space diagonals.
 inline constexpr std::array<LineDirection, 13> kThirteenDirections = {
-    LineDirection{0, {0, 0}},  LineDirection{1, {0, 0}},  LineDirection{2, {0, 0}},
-    LineDirection{0, {1, 0}},  LineDirection{0, {-1, 0}}, LineDirection{1, {1, 0}},
-    LineDirection{1, {-1, 0}}, LineDirection{2, {1, 0}},  LineDirection{2, {-1, 0}},
-    LineDirection{0, {1, 1}},  LineDirection{0, {1, -1}}, LineDirection{0, {-1, 1}},
-    LineDirection{0, {-1, -1}}};
+    LineDirection{0, {0, 0}, nullptr},  LineDirection{1, {0, 0}, nullptr},
+    LineDirection{2, {0, 0}, nullptr},  LineDirection{0, {1, 0}, nullptr},
+    LineDirection{0, {-1, 0}, nullptr}, LineDirection{1, {1, 0}, nullptr},
+    LineDirection{1, {-1, 0}, nullptr}, LineDirection{2, {1, 0}, nullptr},
+    LineDirection{2, {-1, 0}, nullptr}, LineDirection{0, {1, 1}, nullptr},
+    LineDirection{0, {1, -1}, nullptr}, LineDirection{0, {-1, 1}, nullptr},
+    LineDirection{0, {-1, -1}, nullptr}};
 
 /// Where a line crosses a triangle.
 struct Crossing {

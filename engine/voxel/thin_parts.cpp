@@ -1,7 +1,9 @@
 #include "engine/voxel/thin_parts.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "engine/voxel/morphology.h"
@@ -10,53 +12,77 @@
 namespace ossuary {
 namespace {
 
-/// Calls visit(Vec3i) for voxels along the segment, at most half a voxel apart, ends included.
+/// Calls visit(Vec3i) for the voxels of the triangles' corners, and of places along their edges and
+/// along collapsed triangles that are at most `spacing` apart.
 template <typename Visit>
-void for_each_voxel_on(const GridMesh& mesh, const GridPoint& a, const GridPoint& b,
-                       Visit&& visit) {
-    std::int64_t longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        longest = std::max<std::int64_t>(longest, std::abs(b[i] - a[i]));
-    }
-    const std::int64_t steps = longest / kGridHalf + 1;
-    for (std::int64_t s = 0; s <= steps; ++s) {
-        GridPoint p;
-        for (std::size_t i = 0; i < 3; ++i) {
-            p[i] = a[i] + static_cast<std::int32_t>((b[i] - a[i]) * s / steps);
-        }
-        visit(mesh.voxel_of(p));
-    }
-}
-
-/// Calls visit(Vec3i) for the voxels of all points and of all edges longer than a voxel. (Shorter
-/// ones lead from a voxel to one of its neighbours.)
-template <typename Visit>
-void for_each_edge_voxel(const GridMesh& mesh, Visit&& visit) {
-    for (const GridPoint& p : mesh.points) visit(mesh.voxel_of(p));
+void for_each_edge_voxel(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
+                         std::int32_t spacing, Visit&& visit) {
     const auto edge = [&](std::uint32_t i, std::uint32_t k) {
         // In a fixed direction, so that the voxels do not depend on the order of the corners.
-        const GridPoint& a = std::min(mesh.points[i], mesh.points[k]);
-        const GridPoint& b = std::max(mesh.points[i], mesh.points[k]);
-        bool is_long = false;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            is_long = is_long || std::abs(b[axis] - a[axis]) > kGridOne;
+        const bool forward = mesh.points[i] < mesh.points[k];
+        const GridPoint& a = mesh.points[forward ? i : k];
+        const GridPoint& b = mesh.points[forward ? k : i];
+        const std::array<std::int64_t, 3> d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const std::int64_t longest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+        const std::int64_t steps = (longest + spacing - 1) / spacing;
+        for (std::int64_t s = 1; s < steps; ++s) {
+            GridPoint p;
+            for (std::size_t x = 0; x < 3; ++x) {
+                p[x] = a[x] + static_cast<std::int32_t>(d[x] * s / steps);
+            }
+            visit(mesh.voxel_of(p));
         }
-        if (is_long) for_each_voxel_on(mesh, a, b, visit);
     };
-    for (const auto& t : mesh.triangles) {
-        edge(t[0], t[1]);
-        edge(t[1], t[2]);
-        edge(t[2], t[0]);
+    const auto is_long = [&](std::uint32_t i, std::uint32_t k) {
+        const GridPoint& a = mesh.points[i];
+        const GridPoint& b = mesh.points[k];
+        return std::abs(a[0] - b[0]) > spacing || std::abs(a[1] - b[1]) > spacing ||
+               std::abs(a[2] - b[2]) > spacing;
+    };
+    for (const std::uint32_t index : triangles) {
+        const GridMesh::Triangle& t = mesh.triangles[index];
+        for (std::size_t x = 0; x < 3; ++x) {
+            const std::uint32_t i = t[x];
+            visit(mesh.voxel_of(mesh.points[i]));
+            const std::uint32_t k = t[x == 2 ? 0 : x + 1];
+            if (is_long(i, k)) edge(i, k);
+        }
     }
-    for (const auto& s : mesh.collapsed) edge(s[0], s[1]);
+    for (const auto& s : mesh.collapsed) {
+        visit(mesh.voxel_of(mesh.points[s[0]]));
+        visit(mesh.voxel_of(mesh.points[s[1]]));
+        if (is_long(s[0], s[1])) edge(s[0], s[1]);
+    }
 }
 
-void unite(BitVolume& to, const BitVolume& from) {
-    for (std::size_t w = 0; w < to.words().size(); ++w) to.words()[w] |= from.words()[w];
+/// Whether a voxel or one of its 26 neighbours is set. @pre not in the outermost layer
+bool is_near(const BitVolume& volume, const Vec3i& v) {
+    if (volume.test(v)) return true;
+    const int x = v.x() - 1;
+    const auto word = static_cast<std::size_t>(x >> 6);
+    const int bit = x & 63;
+    std::uint64_t any = 0;
+    for (int dz = -1; dz <= 1; ++dz) {
+        for (int dy = -1; dy <= 1; ++dy) {
+            const auto row = volume.row(v.y() + dy, v.z() + dz);
+            any |= row[word] >> bit;
+            if (bit > 61 && word + 1 < row.size()) any |= row[word + 1] << (64 - bit);
+        }
+    }
+    return (any & 7) != 0;
 }
 
-/// Removes the candidates that are simple points, again and again until none is.
-void peel(std::vector<Vec3i> candidates, BitVolume& volume) {
+/// In the order of the grid, each once, so that the outcome does not depend on the mesh's order.
+void sort_and_unite(std::vector<Vec3i>& voxels) {
+    std::sort(voxels.begin(), voxels.end(), [](const Vec3i& a, const Vec3i& b) {
+        return a.z() != b.z() ? a.z() < b.z() : (a.y() != b.y() ? a.y() < b.y() : a.x() < b.x());
+    });
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+}
+
+/// Removes the candidates that are simple points, again and again until none is. Returns how many.
+std::size_t peel(std::vector<Vec3i> candidates, BitVolume& volume) {
+    const std::size_t all = candidates.size();
     for (bool changed = true; changed;) {
         changed = false;
         std::vector<Vec3i> left;
@@ -70,48 +96,46 @@ void peel(std::vector<Vec3i> candidates, BitVolume& volume) {
         }
         candidates = std::move(left);
     }
+    return all - candidates.size();
 }
 
 }  // namespace
 
-std::size_t add_thin_parts(const GridMesh& mesh, const BitVolume& thin, BitVolume& volume) {
-    const BitVolume solid = volume;
-    BitVolume touching = dilate(solid);
-    unite(volume, thin);
-
-    // Edges far from everything, then the edge voxels that tie them to it.
-    BitVolume near = dilate(volume);
-    BitVolume lost(volume.size());
-    bool any_lost = false;
-    for_each_edge_voxel(mesh, [&](const Vec3i& v) {
-        if (near.test(v)) return;
-        lost.set(v);
-        any_lost = true;
-    });
-    if (any_lost) {
-        const BitVolume around = dilate(lost);
-        for_each_edge_voxel(mesh, [&](const Vec3i& v) {
-            if (around.test(v)) volume.set(v);
-        });
+std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
+                           const ThinPlaces& places, BitVolume& volume) {
+    std::vector<Vec3i> added;
+    for (const Vec3i& v : thin) {
+        if (!volume.test(v)) added.push_back(v);
     }
-
+    // Peeling whatever touches the volume, thick or not, ate wings of a fraction of a voxel down to
+    // a web between the few voxels that their inside had hit: a third of a tilted plate was left.
     std::vector<Vec3i> candidates;
-    for (int z = 0; z < volume.size().z(); ++z) {
-        for (int y = 0; y < volume.size().y(); ++y) {
-            const auto row = volume.row(y, z);
-            const auto solid_row = solid.row(y, z);
-            const auto touching_row = touching.row(y, z);
-            for (std::size_t w = 0; w < row.size(); ++w) {
-                std::uint64_t word = row[w] & touching_row[w] & ~solid_row[w];
-                for (; word != 0; word &= word - 1) {
-                    candidates.emplace_back(static_cast<int>(w * 64) + std::countr_zero(word), y,
-                                            z);
-                }
-            }
-        }
+    for (const Vec3i& v : added) {
+        if (is_near(places.thick, v)) candidates.push_back(v);
     }
-    peel(std::move(candidates), volume);
-    return volume.count() - solid.count();
+    for (const Vec3i& v : added) volume.set(v);
+    std::vector<Vec3i> lost;
+    for_each_edge_voxel(mesh, places.triangles, kGridOne, [&](const Vec3i& v) {
+        if (!is_near(volume, v)) lost.push_back(v);
+    });
+    if (!lost.empty()) {
+        // Lines through the lost places, up to where they touch something.
+        BitVolume around(volume.size());
+        for (const Vec3i& v : lost) around.set(v);
+        around = dilate(around);
+        std::vector<Vec3i> drawn;
+        for_each_edge_voxel(mesh, places.triangles, kGridHalf, [&](const Vec3i& v) {
+            if (around.test(v) && !volume.test(v)) drawn.push_back(v);
+        });
+        for (const Vec3i& v : drawn) {
+            if (is_near(volume, v)) candidates.push_back(v);
+        }
+        for (const Vec3i& v : drawn) volume.set(v);
+        added.insert(added.end(), drawn.begin(), drawn.end());
+    }
+    sort_and_unite(candidates);
+    sort_and_unite(added);
+    return added.size() - peel(std::move(candidates), volume);
 }
 
 }  // namespace ossuary

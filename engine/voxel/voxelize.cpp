@@ -13,6 +13,7 @@
 #include "engine/voxel/ray_columns.h"
 #include "engine/voxel/solid_components.h"
 #include "engine/voxel/surface_parts.h"
+#include "engine/voxel/thin_lines.h"
 #include "engine/voxel/thin_parts.h"
 
 namespace ossuary {
@@ -29,22 +30,39 @@ void fill(const GridMesh& mesh, const SurfaceParts& parts, VoxelSolid& solid) {
         const bool is_open = parts.kinds[parts.part_of[t]] == SurfaceParts::Kind::kOpen;
         (is_open ? open : closed).push_back(t);
     }
-    BitVolume thin(mesh.size);
-    for (int axis = 0; axis < 3; ++axis) {
-        const LineDirection& direction = kAxisDirections[static_cast<std::size_t>(axis)];
-        const auto crossings = cast_lines(mesh, closed, parts.part_of, direction);
-        if (axis == 0) fill_inside(crossings, parts, solid.volume);
-        mark_missed(crossings, parts, axis, mesh, thin);
-        if (!open.empty()) {
-            mark_crossed(cast_lines(mesh, open, parts.part_of, direction), axis, mesh, thin);
+    std::vector<Vec3i> thin;
+    ThinPlaces places;
+    const auto cast = [&](const std::vector<std::uint32_t>& triangles, LineDirection direction,
+                          const BitVolume* only) {
+        direction.only = only;
+        return cast_lines(mesh, triangles, parts.part_of, direction);
+    };
+    if (!closed.empty()) {
+        const auto crossings = cast(closed, kAxisDirections[0], nullptr);
+        fill_inside(crossings, parts, solid.volume);
+        add_missed(crossings, parts, 0, mesh, thin);
+        // Looking along the other axes only past thin places takes 3 of 17 ms off the armadillo at
+        // 128 voxels; the handles of the benchmark's closed models stay the same but for one.
+        places = find_thin_places(mesh, solid.volume);
+        for (int axis = 1; axis < 3; ++axis) {
+            const BitVolume lines = lines_past(mesh, places, axis);
+            const auto direction = kAxisDirections[static_cast<std::size_t>(axis)];
+            add_missed(cast(closed, direction, &lines), parts, axis, mesh, thin);
         }
     }
-    if (!open.empty()) fill_open_parts(mesh, parts, solid.volume);
+    if (!open.empty()) {
+        fill_open_parts(mesh, parts, solid.volume);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto direction = kAxisDirections[static_cast<std::size_t>(axis)];
+            add_crossed(cast(open, direction, nullptr), axis, mesh, solid.volume, thin);
+        }
+        places = find_thin_places(mesh, solid.volume);
+    }
     const bool encloses = solid.volume.count() > 0;
     solid.method = !encloses      ? "surface"
                    : open.empty() ? "winding"
                                   : (closed.empty() ? "voting" : "winding+voting");
-    const std::size_t added = add_thin_parts(mesh, thin, solid.volume);
+    const std::size_t added = add_thin_parts(mesh, thin, places, solid.volume);
     warn(solid, "open_surface", parts.open_triangles, " triangles belong to parts with a border");
     warn(solid, "repeated_triangles", mesh.repeated_triangles, " triangles come more than once");
     warn(solid, "thin_parts", added, " voxels keep parts thinner than a voxel");
