@@ -1,0 +1,121 @@
+#include "engine/descriptor/describe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/descriptor/global_descriptors.h"
+#include "engine/descriptor/signature.h"
+#include "engine/mesh/read_mesh.h"
+#include "tests/support/benchmark_data.h"
+#include "tests/support/shapes.h"
+
+namespace ossuary {
+namespace {
+
+/// Every number is finite and the parts have their fixed lengths.
+void expect_whole(const Description& description, const std::string& name) {
+    ASSERT_EQ(description.descriptor.globals.size(), kGlobalDescriptorKinds.size()) << name;
+    for (const auto& global : description.descriptor.globals) {
+        for (const float value : global.values) ASSERT_TRUE(std::isfinite(value)) << name;
+    }
+    ASSERT_EQ(description.descriptor.signature.size(), kSignatureSize) << name;
+    for (const auto& node : description.skeleton.nodes) {
+        ASSERT_TRUE(node.position.allFinite() && std::isfinite(node.radius)) << name;
+    }
+    for (const auto& branch : description.descriptor.skeleton.branches) {
+        ASSERT_TRUE(std::isfinite(branch.length)) << name;
+    }
+}
+
+TEST(Describe, DescribesBuiltShapesAndRaggedOnes) {
+    const TriangleMesh torus = test::torus_mesh(1.0, 0.3);
+    const std::vector<std::pair<std::string, TriangleMesh>> meshes = {
+        {"torus", torus},
+        {"tree", test::capsule_tree_mesh()},
+        {"open box", test::open_box_mesh(Vec3::Zero(), Vec3(1, 2, 3))},
+        {"holes", test::without_some_triangles(torus, 0.2, 3)},
+        {"two pieces", test::merged(torus, test::icosphere_mesh(Vec3(9, 0, 0), 0.5))},
+        {"inside out", test::flipped(torus)}};
+    for (const auto& [name, mesh] : meshes) {
+        const auto description = describe(mesh);
+        ASSERT_TRUE(description.ok()) << name << ": " << description.error().message;
+        expect_whole(*description, name);
+        EXPECT_EQ(description->descriptor.skeleton.branches.size(),
+                  description->skeleton.branches.size())
+            << name;
+    }
+}
+
+TEST(Describe, ReturnsTheSkeletonInTheModelsOwnUnits) {
+    const Vec3 offset(1000.0, -50.0, 3.0);
+    const TriangleMesh mesh =
+        test::transformed(test::torus_mesh(10.0, 3.0), Mat3::Identity(), offset);
+    const auto description = describe(mesh);
+    ASSERT_TRUE(description.ok());
+    ASSERT_FALSE(description->skeleton.branches.empty());
+    for (const auto& branch : description->skeleton.branches) {
+        for (const Vec3& point : branch.points) {
+            const Vec3 local = point - offset;
+            EXPECT_NEAR(std::hypot(local.x(), local.y()), 10.0, 1.5);
+            EXPECT_NEAR(local.z(), 0.0, 1.0);
+        }
+        for (const double radius : branch.radii) EXPECT_NEAR(radius, 3.0, 0.8);
+    }
+}
+
+TEST(Describe, NamesItsStagesInOrder) {
+    const auto description = describe(test::torus_mesh(1.0, 0.3));
+    ASSERT_TRUE(description.ok());
+    std::vector<std::string> stages;
+    for (const StageTime& time : description->stage_times) {
+        stages.push_back(time.stage);
+        EXPECT_GE(time.milliseconds, 0.0);
+    }
+    const std::vector<std::string> tail = {"surface", "describe_skeleton", "global_descriptors",
+                                           "signature"};
+    ASSERT_GE(stages.size(), tail.size());
+    EXPECT_TRUE(std::equal(tail.rbegin(), tail.rend(), stages.rbegin()));
+}
+
+TEST(Describe, IsTheSameEveryTime) {
+    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const auto a = describe(mesh), b = describe(mesh);
+    ASSERT_TRUE(a.ok() && b.ok());
+    EXPECT_EQ(a->descriptor.signature, b->descriptor.signature);
+    for (std::size_t k = 0; k < a->descriptor.globals.size(); ++k) {
+        EXPECT_EQ(a->descriptor.globals[k].values, b->descriptor.globals[k].values);
+    }
+    EXPECT_EQ(a->descriptor.skeleton.rooted.content_key, b->descriptor.skeleton.rooted.content_key);
+}
+
+TEST(Describe, StopsWhenAsked) {
+    std::stop_source source;
+    source.request_stop();
+    const auto description = describe(test::torus_mesh(1.0, 0.3), {}, source.get_token());
+    ASSERT_FALSE(description.ok());
+    EXPECT_EQ(description.error().code, ErrorCode::kCancelled);
+}
+
+TEST(Describe, RefusesWhatHasNoBody) {
+    const auto empty = describe(TriangleMesh{});
+    ASSERT_FALSE(empty.ok());
+    EXPECT_EQ(empty.error().code, ErrorCode::kMeshEmpty);
+}
+
+TEST(Describe, DescribesModelsOfBothCollections) {
+    OSSUARY_REQUIRE_BENCHMARK_DATA(data);
+    for (const char* file :
+         {"princeton-segmentation/off/1.off", "princeton-segmentation/off/25.off",
+          "princeton-segmentation/off/281.off", "princeton-shape-train/off/m1298.off",
+          "princeton-shape-train/off/m1118.off"}) {
+        const auto read = read_mesh(data / file);
+        ASSERT_TRUE(read.ok()) << file;
+        const auto description = describe(read->mesh);
+        ASSERT_TRUE(description.ok()) << file << ": " << description.error().message;
+        expect_whole(*description, file);
+    }
+}
+
+}  // namespace
+}  // namespace ossuary

@@ -1,0 +1,143 @@
+#include "engine/descriptor/global_descriptors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "engine/voxel/voxelize.h"
+#include "tests/support/shapes.h"
+
+namespace ossuary {
+namespace {
+
+std::vector<GlobalDescriptor> of_volume(const BitVolume& volume) {
+    return global_descriptors(solid_surface(volume), volume);
+}
+
+std::vector<GlobalDescriptor> of_mesh(const TriangleMesh& mesh, int resolution = 96) {
+    const auto solid = voxelize(mesh, {.resolution = resolution});
+    EXPECT_TRUE(solid.ok());
+    return of_volume(solid->volume);
+}
+
+double distance(const std::vector<GlobalDescriptor>& a, const std::vector<GlobalDescriptor>& b,
+                std::size_t kind) {
+    return global_distance(a[kind], b[kind], kGlobalDescriptorKinds[kind].metric);
+}
+
+TEST(GlobalDescriptors, HaveTheNamesAndSizesOfTheTable) {
+    for (const auto& shape : test::volume_shapes()) {
+        const auto globals = of_volume(shape.volume);
+        ASSERT_EQ(globals.size(), kGlobalDescriptorKinds.size());
+        for (std::size_t k = 0; k < globals.size(); ++k) {
+            EXPECT_EQ(globals[k].name, kGlobalDescriptorKinds[k].name);
+            EXPECT_EQ(globals[k].values.size(), kGlobalDescriptorKinds[k].size) << shape.name;
+            for (const float value : globals[k].values) {
+                ASSERT_TRUE(std::isfinite(value)) << shape.name << " " << globals[k].name;
+                ASSERT_GE(value, 0.0F);
+            }
+            EXPECT_EQ(distance(globals, globals, k), 0.0);
+        }
+    }
+}
+
+TEST(GlobalDescriptors, FitTheirShareOfADescriptorOnDisk) {
+    std::size_t bytes = 0;
+    for (const auto& kind : kGlobalDescriptorKinds) bytes += kind.size * sizeof(float);
+    EXPECT_LE(bytes, 10'000U);  // of 16 kB, the skeleton's share taken off
+}
+
+TEST(GlobalDescriptors, AreTheSameForTheSameVolume) {
+    const BitVolume volume = test::capsule_tree().volume;
+    const auto a = of_volume(volume), b = of_volume(volume);
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].values, b[k].values);
+}
+
+/// What rotation, mirroring and scale change, against what another shape changes.
+class Invariance : public ::testing::Test {
+protected:
+    void SetUp() override {
+        tree_ = of_mesh(test::capsule_tree_mesh());
+        others_ = {of_mesh(test::icosphere_mesh(Vec3::Zero(), 1.0)),
+                   of_mesh(test::torus_mesh(1.0, 0.3)),
+                   of_mesh(test::box_mesh(Vec3::Zero(), Vec3(1.0, 0.7, 0.1)))};
+    }
+    /// The share of the nearest other shape's distance that `changed` has moved away.
+    [[nodiscard]] double drift(const std::vector<GlobalDescriptor>& changed,
+                               std::size_t kind) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& other : others_) nearest = std::min(nearest, distance(tree_, other, kind));
+        return distance(tree_, changed, kind) / nearest;
+    }
+    std::vector<GlobalDescriptor> tree_;
+    std::vector<std::vector<GlobalDescriptor>> others_;
+};
+
+TEST_F(Invariance, HoldsUnderScaleAndTranslation) {
+    const auto moved = of_mesh(
+        test::transformed(test::capsule_tree_mesh(), 7.5 * Mat3::Identity(), Vec3(100, -3, 8)));
+    for (std::size_t k = 0; k < tree_.size(); ++k) {
+        EXPECT_LT(drift(moved, k), 0.05) << tree_[k].name;
+    }
+}
+
+TEST_F(Invariance, HoldsUnderQuarterTurnsAndMirrors) {
+    Mat3 turn;
+    turn << 0, -1, 0, 0, 0, 1, -1, 0, 0;
+    const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
+    for (const Mat3& linear : {turn, mirror}) {
+        const auto changed = of_mesh(test::transformed(test::capsule_tree_mesh(), linear));
+        for (std::size_t k = 0; k < tree_.size(); ++k) {
+            EXPECT_LT(drift(changed, k), 0.15) << tree_[k].name;
+        }
+    }
+}
+
+TEST_F(Invariance, HoldsRoughlyUnderAnyRotation) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const auto changed =
+            of_mesh(test::transformed(test::capsule_tree_mesh(), test::random_rotation(seed)));
+        for (std::size_t k = 0; k < tree_.size(); ++k) {
+            EXPECT_LT(drift(changed, k), 0.45) << tree_[k].name << " seed " << seed;
+        }
+    }
+}
+
+TEST_F(Invariance, HoldsForAnotherResolution) {
+    const auto coarse = of_mesh(test::capsule_tree_mesh(), 64);
+    for (std::size_t k = 0; k < tree_.size(); ++k) {
+        EXPECT_LT(drift(coarse, k), 0.5) << tree_[k].name;
+    }
+}
+
+TEST(GlobalDescriptors, CopeWithTinyAndFlatVolumes) {
+    BitVolume one(Vec3i(3, 3, 3));
+    one.set(1, 1, 1);
+    BitVolume line(Vec3i(20, 3, 3));
+    for (int x = 1; x < 19; ++x) line.set(x, 1, 1);
+    BitVolume sheet(Vec3i(20, 20, 3));
+    for (int x = 1; x < 19; ++x) {
+        for (int y = 1; y < 19; ++y) sheet.set(x, y, 1);
+    }
+    for (const BitVolume& volume : {one, line, sheet}) {
+        for (const auto& global : of_volume(volume)) {
+            for (const float value : global.values)
+                ASSERT_TRUE(std::isfinite(value)) << global.name;
+        }
+    }
+}
+
+TEST(GlobalDistance, IsTheMetricOfTheTable) {
+    const GlobalDescriptor a{"x", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}};
+    const GlobalDescriptor b{"x", {1, 2, 3, 4, 5, 6, 7, 8, 12, 6}};
+    EXPECT_DOUBLE_EQ(global_distance(a, b, GlobalMetric::kManhattan), 7.0);
+    EXPECT_DOUBLE_EQ(global_distance(a, b, GlobalMetric::kEuclidean), 5.0);
+    EXPECT_EQ(global_distance(a, b, GlobalMetric::kEuclidean),
+              global_distance(b, a, GlobalMetric::kEuclidean));
+    EXPECT_TRUE(std::isinf(global_distance(a, {"x", {1.0F}}, GlobalMetric::kManhattan)));
+}
+
+}  // namespace
+}  // namespace ossuary
