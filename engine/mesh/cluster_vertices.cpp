@@ -106,7 +106,7 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     const MeshMeasures measures = measure(mesh);
     if (mesh.empty() || !(measures.bounds.sizes().maxCoeff() > 0)) return coarse;
     // The number of triangles grows with the square of the cells along a side, which makes each
-    // guess a good one: four to six grids are tried, where halving the interval took ten.
+    // guess a good one: two or three grids are tried, where halving the interval took ten.
     const double side = measures.bounds.sizes().maxCoeff();
     const double wanted = 0.97 * static_cast<double>(max_triangles);
     double guess = side * std::sqrt(wanted / (2.0 * measures.surface_area + 1e-300));

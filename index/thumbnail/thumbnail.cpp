@@ -88,8 +88,8 @@ struct Pixel {
     float covered = 0.0f;
 };
 
-/// Draws one ray through each pixel first, then more through those where that is not enough. Of
-/// 590 k rays for nine in every pixel about 200 k are left, at 16 where it counts.
+/// Draws one ray through each pixel first, then more through those where that is not enough: half
+/// the time of nine rays through every pixel, with sixteen where they count.
 class Painter {
 public:
     Painter(const TriangleMesh& mesh, const std::vector<Vec3f>& vertices, const RayScene& scene,
