@@ -63,7 +63,7 @@ export function collection(first: CollectionFilter, context: Context): Collectio
                           'The collection is empty.',
                           'Add models with ',
                           element('code', {}, 'ossuary index --index FILE FOLDER'),
-                          '; this page follows the index while it grows.',
+                          ' and reload this page.',
                       ),
             );
         }

@@ -10,14 +10,9 @@ export function partsList(parts: Readonly<Record<string, number>>): HTMLElement 
         partShares(parts).map(({ name, value, share, index }) =>
             element(
                 'div',
-                {},
+                { class: partClass(index), '--share': share.toFixed(4) },
                 element('dt', {}, capitalise(formatName(name))),
                 element('dd', { class: 'number' }, formatDistance(value)),
-                element('span', {
-                    class: partClass(index),
-                    '--share': share.toFixed(4),
-                    'aria-hidden': 'true',
-                }),
             ),
         ),
     );
