@@ -28,6 +28,14 @@ std::string progress_line(const index::IndexProgress& progress) {
     return line;
 }
 
+// Readers of files name the file themselves; later stages do not know it.
+std::string failure_line(const index::Failure& failure) {
+    const std::string where =
+        failure.message.find(failure.path) == std::string::npos ? failure.path + ": " : "";
+    return fmt::format("{}{}{}: {}{}", style(Style::kWarning), failure.code, style(Style::kPlain),
+                       where, failure.message);
+}
+
 }  // namespace
 
 ConsoleProgress::ConsoleProgress() : terminal_(stderr_is_terminal()), last_drawn_(Clock::now()) {}
@@ -55,8 +63,7 @@ void ConsoleProgress::progress(const index::IndexProgress& progress) {
 
 void ConsoleProgress::failed(const index::Failure& failure) {
     clear_line();
-    std::cerr << fmt::format("{}{}{}: {}\n", style(Style::kWarning), failure.code,
-                             style(Style::kPlain), failure.message);
+    std::cerr << failure_line(failure) << '\n';
 }
 
 void ConsoleProgress::phase(std::string_view what) {

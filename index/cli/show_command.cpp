@@ -41,7 +41,8 @@ Result<ExitCode> show_index(index::Store& store, const Session& session) {
         store.path().string(), page->total, failures->size(), page->revision, parameters.resolution,
         to_string(parameters.thinning), parameters.pipeline, store.version());
     for (const index::Failure& failure : *failures) {
-        std::cout << fmt::format("failed: {}: {}\n", failure.code, failure.message);
+        std::cout << fmt::format("failed: {}: {}: {}\n", failure.path, failure.code,
+                                 failure.message);
     }
     return ExitCode::kDone;
 }
