@@ -17,7 +17,7 @@ using Box3 = Eigen::AlignedBox3d;
 struct WorldFromGrid {
     Vec3 origin = Vec3::Zero();
     double voxel_size = 1.0;           ///< world units a voxel
-    Mat3 rotation = Mat3::Identity();  ///< pose of the grid's axes in the world
+    Mat3 rotation = Mat3::Identity();  ///< the grid's axes in the world; may mirror
 
     [[nodiscard]] Vec3 point(const Vec3& grid) const {
         return origin + rotation * (voxel_size * grid);

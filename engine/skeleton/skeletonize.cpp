@@ -1,5 +1,6 @@
 #include "engine/skeleton/skeletonize.h"
 
+#include "engine/mesh/canonical_pose.h"
 #include "engine/skeleton/extract_graph.h"
 
 namespace ossuary {
@@ -27,7 +28,9 @@ Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions&
         skeleton.stage_times.push_back({stage, watch.lap_ms()});
     };
     if (stop.stop_requested()) return cancelled("voxelize");
-    Result<VoxelSolid> solid = voxelize(mesh, options.voxelize);
+    VoxelizeOptions voxelize_options = options.voxelize;
+    if (options.canonical_pose) voxelize_options.rotation = canonical_pose(mesh);
+    Result<VoxelSolid> solid = voxelize(mesh, voxelize_options);
     if (!solid) return solid.error();
     skeleton.solid = *std::move(solid);
     finished("voxelize");

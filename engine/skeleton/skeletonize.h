@@ -13,6 +13,9 @@
 namespace ossuary {
 
 struct SkeletonizeOptions {
+    /// Lay the grid along the model's own axes (canonical_pose.h), so that the skeleton does not
+    /// depend on how the model is turned or mirrored; `voxelize.rotation` is then not used.
+    bool canonical_pose = true;
     VoxelizeOptions voxelize;
     ThinningOptions thinning;
     RefineOptions refine;

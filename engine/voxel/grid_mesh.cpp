@@ -47,9 +47,8 @@ private:
     std::size_t mask_;
 };
 
-bool is_rotation(const Mat3& m) {
-    return m.allFinite() && (m * m.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-9 &&
-           m.determinant() > 0;
+bool is_orthonormal(const Mat3& m) {
+    return m.allFinite() && (m * m.transpose() - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-9;
 }
 
 /// The number of transpositions, mod 2, that sort the corners.
@@ -97,10 +96,8 @@ Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& 
         return {ErrorCode::kInvalidArgument,
                 "resolution: found " + std::to_string(options.resolution) + ", expected 8 to 1024"};
     }
-    if (!is_rotation(options.rotation)) {
-        return {ErrorCode::kInvalidArgument,
-                "rotation: expected an orthonormal matrix of "
-                "determinant 1"};
+    if (!is_orthonormal(options.rotation)) {
+        return {ErrorCode::kInvalidArgument, "rotation: expected an orthonormal matrix"};
     }
     if (mesh.empty()) return {ErrorCode::kMeshEmpty, "the mesh has no triangle"};
 

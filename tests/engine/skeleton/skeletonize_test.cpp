@@ -47,6 +47,25 @@ TEST(Skeletonize, FindsTheLimbsOfATreeMeshWithBothMethods) {
     }
 }
 
+TEST(Skeletonize, FollowsTheModelHoweverItIsTurnedOrMirrored) {
+    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const auto original = skeletonize(mesh);
+    ASSERT_TRUE(original.ok());
+    Mat3 mirror = Mat3::Identity();
+    mirror(0, 0) = -1.0;
+    for (const Mat3& motion : {test::random_rotation(3), test::random_rotation(4), mirror}) {
+        const auto moved = skeletonize(test::transformed(mesh, motion));
+        ASSERT_TRUE(moved.ok());
+        const SkeletonGraph expected = to_world(original->refined, original->solid.world_from_grid);
+        const SkeletonGraph found = to_world(moved->refined, moved->solid.world_from_grid);
+        ASSERT_EQ(found.nodes.size(), expected.nodes.size());
+        for (std::size_t i = 0; i < found.nodes.size(); ++i) {
+            EXPECT_TRUE(found.nodes[i].position.isApprox(motion * expected.nodes[i].position, 1e-3))
+                << found.nodes[i].position.transpose();
+        }
+    }
+}
+
 TEST(Skeletonize, TimesItsStages) {
     const auto skeleton = skeletonize(test::torus_mesh(2.0, 0.5));
     ASSERT_TRUE(skeleton.ok());
