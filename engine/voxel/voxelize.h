@@ -11,9 +11,9 @@ namespace ossuary {
 
 struct VoxelizeOptions {
     int resolution = 96;  ///< voxels along the longest side of the bounding box, in [8, 1024]
-    /// The grid's axes as columns, in model coordinates, orthonormal: voxelizes the model as seen in
-    /// this pose, which is a mirrored one where the determinant is -1.
-    /// The bounding box is that of the pose.
+    /// The grid's axes as columns, in model coordinates, orthonormal: voxelizes the model as seen
+    /// in this pose, which is a mirrored one where the determinant is -1. The bounding box is that
+    /// of the pose.
     Mat3 rotation = Mat3::Identity();
     bool fill_cavities = true;  ///< set what cannot be reached from outside through faces
     /// Close tunnels that are at most about two voxels wide, unless the model is one closed surface

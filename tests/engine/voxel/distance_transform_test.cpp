@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/voxel/distance_envelope.h"
+#include "engine/voxel/distance_scan.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary {
@@ -57,6 +59,26 @@ TEST(DistanceTransform, OfAFullVolumeIsTheDistanceToItsBorder) {
         const int d = std::min((v + Vec3i::Ones()).minCoeff(), (size - v).minCoeff());
         ASSERT_EQ(field.squared(v), static_cast<std::uint32_t>(d * d));
     });
+}
+
+TEST(DistanceTransform, IsTheSameByScanAndByEnvelopes) {
+    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+        const BitVolume volume =
+            test::random_volume({40 + static_cast<int>(seed) * 3, 50, 60}, 0.9995, seed);
+        EXPECT_EQ(distances_by_scan(volume), distances_by_envelope(volume)) << seed;
+    }
+    for (const auto& shape : test::volume_shapes()) {
+        EXPECT_EQ(distances_by_scan(shape.volume), distances_by_envelope(shape.volume))
+            << shape.name;
+    }
+    // The largest values that the scan meets.
+    const BitVolume full = test::random_volume({kMaxScanSide, kMaxScanSide, 60}, 1.1, 0);
+    EXPECT_EQ(distances_by_scan(full), distances_by_envelope(full));
+}
+
+TEST(DistanceTransform, TakesSidesBeyondTheScan) {
+    const BitVolume volume = test::random_volume({20, kMaxScanSide + 40, 20}, 0.999, 1);
+    EXPECT_EQ(distance_transform(volume).values(), distances_by_envelope(volume));
 }
 
 TEST(DistanceTransform, FollowsThePermutationOfTheAxes) {
