@@ -13,10 +13,14 @@ constexpr double kFormat = 1.0;
 constexpr std::size_t kScaleSize = 2 * kComponentCount;
 constexpr std::size_t kHeader = 3 + kScaleSize;
 constexpr std::size_t kRecord = 2 + kScaleSize;
-/// Distances are taken to at most this many models.
+/// Distances are taken to at most this many models, fewer in large collections so that at most
+/// kMaxPairs are measured, but no fewer than kLeastReferences.
 constexpr std::size_t kMaxReferences = 500;
-/// Collections up to this size know the scale of every model, larger ones of the references only.
-constexpr std::size_t kMaxKnown = 2000;
+constexpr std::size_t kLeastReferences = 50;
+constexpr std::size_t kMaxPairs = 1'000'000;
+/// Larger collections keep the pooled scale alone.
+constexpr std::size_t kMaxKnown = kMaxPairs / kLeastReferences;
+
 /// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
 /// weighs as much as this many distances against those.
 constexpr ModelScale kTypicalScale = {{0.52, 1.48, 1.78, 1.01, 1.05, 0.59},
@@ -94,7 +98,9 @@ ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
 
 /// Indices of the reference models: all, or evenly spread over the collection.
 std::vector<std::size_t> reference_models(std::size_t count) {
-    const std::size_t wanted = std::min(count, kMaxReferences);
+    const std::size_t affordable =
+        count > kMaxKnown ? kMaxReferences : kMaxPairs / std::max<std::size_t>(count, 1);
+    const std::size_t wanted = std::min(count, std::min(kMaxReferences, affordable));
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < wanted; ++i) indices.push_back(i * count / wanted);
     return indices;
@@ -181,6 +187,7 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs) 
     values = {kFormat, static_cast<double>(kComponentCount),
               static_cast<double>(collection.size())};
     append(pooled, values);
+    if (rows.size() != collection.size()) return statistics;
     for (std::size_t row = 0; row < rows.size(); ++row) {
         const std::uint64_t key = model_key(*collection[rows[row]]);
         values.push_back(static_cast<double>(key >> 32));

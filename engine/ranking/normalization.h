@@ -17,9 +17,10 @@ struct ModelScale {
 
 /// CollectionStatistics, read: the scale of each model that it knows and of all together.
 ///
-/// Layout of `values`: format, number of components, number of models that the statistics are of,
-/// the pooled scale, then for each known model the two halves of its key and its scale; a scale is
-/// the means of all components, then the deviations.
+/// Collections of up to 20,000 models know each of their models; what larger ones or other queries
+/// need is estimated from the pooled scale. Layout of `values`: format, number of components,
+/// number of models that the statistics are of, the pooled scale, then for each known model the two
+/// halves of its key and its scale; a scale is the means of all components, then the deviations.
 class Normalization {
 public:
     /// Statistics that are empty or of another format leave the built-in scale.

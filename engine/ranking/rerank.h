@@ -8,7 +8,7 @@
 namespace ossuary {
 
 struct RerankOptions {
-    std::size_t depth = 300;       ///< models at the head of a ranked list that take part
+    std::size_t depth = 200;       ///< models at the head of a ranked list that take part
     std::size_t neighbors = 15;    ///< k of the reciprocal neighbourhoods
     std::size_t expansion = 6;     ///< neighbours that a neighbourhood is averaged over
     double original_weight = 0.2;  ///< of the distance itself beside the neighbourhoods'
