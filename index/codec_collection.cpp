@@ -1,5 +1,7 @@
 // What is stored of a whole collection, and warnings.
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "index/blob.h"
@@ -49,6 +51,10 @@ Result<CollectionStatistics> decode_statistics(std::string_view blob) {
     statistics.values = reader.get_all<double>(reader.get_count(8));
     if (!reader.ok() || !reader.at_end()) {
         return {ErrorCode::kIndexCorrupt, "STAT blob: wrong length"};
+    }
+    if (!std::all_of(statistics.values.begin(), statistics.values.end(),
+                     [](double value) { return std::isfinite(value); })) {
+        return {ErrorCode::kIndexCorrupt, "STAT blob: a number that is not finite"};
     }
     return statistics;
 }

@@ -8,6 +8,7 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/content_hash.h"
+#include "index/thumbnail/thumbnail.h"
 
 namespace ossuary::index {
 
@@ -34,6 +35,12 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
     model.descriptor = std::move(description->descriptor);
     model.skeleton = std::move(description->skeleton);
     model.preview = make_preview(mesh);
+    auto thumbnail = render_thumbnail(mesh);
+    if (thumbnail) {
+        model.thumbnail = *std::move(thumbnail);
+    } else {
+        model.summary.warnings.push_back({"thumbnail_missing", 1, thumbnail.error().message});
+    }
     return model;
 }
 

@@ -131,6 +131,13 @@ Result<CollectionState> Store::collection_state() {
     return impl_->locked([&]() -> Result<CollectionState> { return read_state(*impl_); });
 }
 
+Result<void> Store::set_busy_timeout(int milliseconds) {
+    return impl_->locked([&]() -> Result<void> {
+        impl_->database().setBusyTimeout(milliseconds);
+        return {};
+    });
+}
+
 Result<void> Store::checkpoint() {
     return impl_->locked([&]() -> Result<void> {
         impl_->database().exec("PRAGMA wal_checkpoint(TRUNCATE)");

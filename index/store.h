@@ -146,9 +146,9 @@ struct VerifyReport {
 /// for several machines would offer the same calls. Safe to call from several threads, which then
 /// take turns; other processes may read and write the same index meanwhile.
 ///
-/// Errors of every call: index_busy when another process holds the write lock for longer than ten
-/// seconds, index_io for a full disk and the like, index_corrupt for damaged contents,
-/// model_not_found for an id that is not there.
+/// Errors of every call: index_busy when another process holds the write lock for too long,
+/// index_io for a full disk and the like, index_corrupt for damaged contents, model_not_found for
+/// an id that is not there.
 class Store {
 public:
     /// Opens an index. Nothing is ever written to a file that is not an index. An index of an
@@ -213,6 +213,8 @@ public:
 
     /// Reads everything: SQLite's own checks, every blob, indices, hashes, cross references.
     Result<VerifyReport> verify();
+    /// How long a write waits for another process's; ten seconds unless set.
+    Result<void> set_busy_timeout(int milliseconds);
     /// Writes the log back into the file, so that the file alone is the whole index.
     Result<void> checkpoint();
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "index/blob.h"
@@ -43,7 +44,21 @@ private:
         return result.ok();
     }
 
+    // SQLite reads a last page that is cut short as if zeros followed, and finds nothing wrong when
+    // only unused bytes are missing.
+    void check_size() {
+        std::error_code error;
+        const auto bytes = std::filesystem::file_size(impl_.path, error);
+        if (error) return find("file", "its size cannot be read: " + error.message());
+        const auto page_bytes =
+            static_cast<std::uintmax_t>(impl_.connection->integer("PRAGMA page_size"));
+        if (bytes % page_bytes != 0) {
+            find("file", std::to_string(bytes) + " bytes are not a whole number of pages of " +
+                             std::to_string(page_bytes));
+        }
+    }
     void check_database() {
+        check_size();
         Query integrity(impl_.statement("PRAGMA integrity_check(20)"));
         while (integrity.step()) {
             if (integrity.text(0) != "ok") find("file", integrity.text(0));

@@ -1,8 +1,12 @@
+#include <unistd.h>
+
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
 #include <iostream>
+#include <memory>
 #include <thread>
 
 #include "server/application.h"
@@ -13,6 +17,8 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kNotAnIndex = 4;
+/// For what has been asked to end to do so.
+constexpr auto kLastGrace = std::chrono::seconds(5);
 
 int exit_status_for(ossuary::ErrorCode code) {
     using enum ossuary::ErrorCode;
@@ -61,7 +67,6 @@ int serve(ossuary::server::Server& server, const ossuary::server::ServerOptions&
     server.stop();
     if (ended.wait_for(options.drain_timeout) != std::future_status::ready) {
         server.cancel();
-        constexpr auto kLastGrace = std::chrono::seconds(5);
         if (ended.wait_for(kLastGrace) != std::future_status::ready) {
             std::cerr << "ossuary-server: requests did not end in time, leaving them\n";
             std::_Exit(kFailed);
@@ -73,6 +78,22 @@ int serve(ossuary::server::Server& server, const ossuary::server::ServerOptions&
     std::cerr << "ossuary-server: " << to_string(result.error().code) << ": "
               << result.error().message << '\n';
     return kFailed;
+}
+
+/// Ends the background threads. An evaluation cannot be interrupted, but may be abandoned: the
+/// index gets its result in one transaction or not at all.
+void close(std::unique_ptr<ossuary::server::Server> server, int status) {
+    std::promise<void> closed;
+    std::future<void> done = closed.get_future();
+    std::thread closer([&] {
+        server.reset();
+        closed.set_value();
+    });
+    if (done.wait_for(kLastGrace) != std::future_status::ready) {
+        std::cerr << "ossuary-server: an evaluation was abandoned\n";
+        std::_Exit(status);
+    }
+    closer.join();
 }
 
 }  // namespace
@@ -97,5 +118,7 @@ int main(int argc, char** argv) {
         std::cerr << "ossuary-server: warning: " << options.host
                   << " can be reached from other machines\n";
     }
-    return serve(**server, options, signals);
+    const int status = serve(**server, options, signals);
+    close(*std::move(server), status);
+    return status;
 }

@@ -1,0 +1,218 @@
+#include "index/codec.h"
+
+#include <gtest/gtest.h>
+#include <xxhash.h>
+
+#include <functional>
+#include <limits>
+
+#include "index/blob.h"
+#include "index/bytes.h"
+#include "index/content_hash.h"
+#include "tests/index/sample_index.h"
+
+namespace ossuary::index {
+namespace {
+
+/// A kind of blob: one example, and what decoding and encoding again makes of any bytes (none when
+/// decoding refuses).
+struct Case {
+    std::string name;
+    BlobKind kind;
+    std::string blob;
+    std::function<Result<std::string>(std::string_view)> recode;
+};
+
+template <typename Decode, typename Encode>
+auto recoder(const Decode& decode, const Encode& encode) {
+    return [decode, encode](std::string_view blob) -> Result<std::string> {
+        const auto value = decode(blob);
+        if (!value) return value.error();
+        return encode(*value);
+    };
+}
+
+std::vector<Case> cases() {
+    const NewModel model = test::sample_model(4, "/models/x.off");
+    return {
+        {"skeleton", kSkeletonBlob, encode_skeleton(model.skeleton),
+         recoder(decode_skeleton, encode_skeleton)},
+        {"descriptor", kDescriptorBlob, encode_descriptor(model.descriptor.skeleton),
+         recoder(decode_descriptor, encode_descriptor)},
+        {"globals", kGlobalsBlob, encode_globals(model.descriptor.globals),
+         recoder(decode_globals, encode_globals)},
+        {"signature", kSignatureBlob, encode_signature(model.descriptor.signature),
+         recoder(decode_signature, encode_signature)},
+        {"preview", kPreviewBlob, encode_preview(model.preview),
+         recoder(decode_preview, encode_preview)},
+        {"thumbnail", kThumbnailBlob, encode_thumbnail(model.thumbnail),
+         recoder(decode_thumbnail, encode_thumbnail)},
+        {"statistics", kStatisticsBlob, encode_statistics({{1.0, -0.0, 1e-310, 3.25}}),
+         recoder(decode_statistics, encode_statistics)},
+        {"report", kEvaluationBlob, encode_report(test::sample_report(1)),
+         recoder(decode_report, encode_report)},
+    };
+}
+
+/// The blob with a checksum that is right for its contents, as a liar would make it.
+std::string with_checksum(std::string blob) {
+    blob.resize(blob.size() - kBlobTrailerSize);
+    ByteWriter trailer;
+    trailer.put(static_cast<std::uint64_t>(XXH3_64bits(blob.data(), blob.size())));
+    return blob + trailer.bytes();
+}
+
+class CodecTest : public testing::TestWithParam<std::size_t> {
+protected:
+    Case case_ = cases()[GetParam()];
+};
+
+TEST_P(CodecTest, GivesBackTheSameBytes) {
+    const auto again = case_.recode(case_.blob);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(*again, case_.blob);
+}
+
+TEST_P(CodecTest, NamesKindAndVersionFirst) {
+    EXPECT_EQ(case_.blob.substr(0, 4), case_.kind.mark);
+    EXPECT_EQ(case_.blob[4], 1);
+    EXPECT_EQ(case_.blob.substr(5, 3), std::string(3, '\0'));
+}
+
+TEST_P(CodecTest, RefusesEveryTruncation) {
+    for (std::size_t length = 0; length < case_.blob.size(); ++length) {
+        const auto decoded = case_.recode(std::string_view(case_.blob).substr(0, length));
+        ASSERT_FALSE(decoded) << length;
+        EXPECT_EQ(decoded.error().code, ErrorCode::kIndexCorrupt) << length;
+    }
+}
+
+TEST_P(CodecTest, RefusesEveryFlippedBit) {
+    for (std::size_t at = 0; at < case_.blob.size(); ++at) {
+        for (int bit = 0; bit < 8; ++bit) {
+            std::string damaged = case_.blob;
+            damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
+            const auto decoded = case_.recode(damaged);
+            ASSERT_FALSE(decoded) << at << " bit " << bit;
+            EXPECT_EQ(decoded.error().code, ErrorCode::kIndexCorrupt);
+        }
+    }
+}
+
+TEST_P(CodecTest, SurvivesLiesUnderARightChecksum) {
+    const std::size_t end = case_.blob.size() - kBlobTrailerSize;
+    for (std::size_t at = 0; at < end; ++at) {
+        for (const int value : {0x00, 0x01, 0x7F, 0x80, 0xFF}) {
+            std::string changed = case_.blob;
+            changed[at] = static_cast<char>(value);
+            changed = with_checksum(changed);
+            const auto decoded = case_.recode(changed);
+            // Either refused, or taken for exactly what it says.
+            if (decoded) {
+                EXPECT_EQ(*decoded, changed) << at;
+            } else {
+                const ErrorCode code = decoded.error().code;
+                EXPECT_TRUE(code == ErrorCode::kIndexCorrupt ||
+                            (at == 4 && code == ErrorCode::kIndexNewer));
+            }
+        }
+    }
+}
+
+TEST_P(CodecTest, RefusesBytesLeftOverOrMissingUnderARightChecksum) {
+    if (case_.name == "thumbnail") GTEST_SKIP() << "a picture's length is its own";
+    const std::string padding(kBlobTrailerSize, '\0');
+    const std::size_t end = case_.blob.size() - kBlobTrailerSize;
+    EXPECT_FALSE(case_.recode(with_checksum(case_.blob.substr(0, end) + "x" + padding)));
+    for (std::size_t length = kBlobHeaderSize; length < end; ++length) {
+        EXPECT_FALSE(case_.recode(with_checksum(case_.blob.substr(0, length) + padding))) << length;
+    }
+}
+
+TEST_P(CodecTest, RefusesALaterVersionAsNewer) {
+    std::string later = case_.blob;
+    later[4] = 2;
+    const auto decoded = case_.recode(with_checksum(later));
+    ASSERT_FALSE(decoded);
+    EXPECT_EQ(decoded.error().code, ErrorCode::kIndexNewer);
+}
+
+TEST_P(CodecTest, RefusesEveryOtherKind) {
+    for (const Case& other : cases()) {
+        if (other.name == case_.name) continue;
+        EXPECT_FALSE(case_.recode(other.blob)) << other.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Blobs, CodecTest, testing::Range(std::size_t{0}, cases().size()),
+                         [](const auto& each) { return cases()[each.param].name; });
+
+TEST(Codec, KeepsFloatsBitByBit) {
+    const std::vector<float> odd = {-0.0F, std::numeric_limits<float>::denorm_min(),
+                                    std::numeric_limits<float>::max(), 0.1F};
+    const auto decoded = decode_signature(encode_signature(odd));
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(std::memcmp(decoded->data(), odd.data(), odd.size() * sizeof(float)), 0);
+}
+
+TEST(Codec, RefusesNumbersThatAreNotFinite) {
+    EXPECT_FALSE(decode_signature(encode_signature({1.0F, std::nanf("")})));
+    NewModel model = test::sample_model(1, "");
+    model.skeleton.nodes[0].radius = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(decode_skeleton(encode_skeleton(model.skeleton)));
+    model.descriptor.skeleton.branches[0].points[0] = std::nanf("");
+    EXPECT_FALSE(decode_descriptor(encode_descriptor(model.descriptor.skeleton)));
+    model.preview.positions[0] = std::nanf("");
+    EXPECT_FALSE(decode_preview(encode_preview(model.preview)));
+}
+
+TEST(Codec, RefusesIndicesOutOfRange) {
+    NewModel model = test::sample_model(1, "");
+    model.skeleton.branches[0].b = static_cast<std::uint32_t>(model.skeleton.nodes.size());
+    EXPECT_FALSE(decode_skeleton(encode_skeleton(model.skeleton)));
+    model.descriptor.skeleton.branches[0].a = 1000;
+    EXPECT_FALSE(decode_descriptor(encode_descriptor(model.descriptor.skeleton)));
+    model.preview.triangles[2] = 3;
+    EXPECT_FALSE(decode_preview(encode_preview(model.preview)));
+}
+
+TEST(Codec, KeepsPreviewsWithManyVertices) {
+    PreviewMesh mesh;
+    mesh.positions.assign(3 * 70'000, 1.5F);
+    mesh.triangles = {0, 69'999, 5};
+    const auto decoded = decode_preview(encode_preview(mesh));
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(decoded->triangles, mesh.triangles);
+    EXPECT_EQ(decoded->positions, mesh.positions);
+}
+
+TEST(Codec, KeepsWarnings) {
+    const std::vector<MeshWarning> warnings = {{"a", 3, "x \"y\" \n"}, {"b", 0, ""}};
+    const auto decoded = decode_warnings(encode_warnings(warnings));
+    ASSERT_TRUE(decoded);
+    ASSERT_EQ(decoded->size(), 2U);
+    EXPECT_EQ((*decoded)[0].code, "a");
+    EXPECT_EQ((*decoded)[0].count, 3U);
+    EXPECT_EQ((*decoded)[0].message, "x \"y\" \n");
+}
+
+TEST(Codec, RefusesWarningsOfAnotherShape) {
+    for (const char* text : {"", "{}", "[1]", "[{}]", "[{\"code\":1,\"count\":1,\"message\":\"\"}]",
+                             "[{\"code\":\"a\",\"count\":-1,\"message\":\"\"}]", "[", "[[[["}) {
+        const auto decoded = decode_warnings(text);
+        ASSERT_FALSE(decoded) << text;
+        EXPECT_EQ(decoded.error().code, ErrorCode::kIndexCorrupt);
+    }
+}
+
+TEST(ContentHash, IsThePublishedValue) {
+    // XXH3-128 of nothing with seed 0, from the algorithm's test vectors.
+    EXPECT_EQ(content_hash(""), "99aa06d3014798d86001c324468d497f");
+    EXPECT_NE(content_hash("a"), content_hash("b"));
+    EXPECT_TRUE(is_content_hash(content_hash("a")));
+    EXPECT_FALSE(is_content_hash("99AA06D3014798D86001C324468D497F"));
+    EXPECT_FALSE(is_content_hash("99aa"));
+}
+
+}  // namespace
+}  // namespace ossuary::index

@@ -1,0 +1,279 @@
+// What is not an index, is not one any more, or is one of another time.
+
+#include <gtest/gtest.h>
+
+#include "index/migrations.h"
+#include "index/store.h"
+#include "tests/index/sample_index.h"
+
+namespace ossuary::index {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ForeignFile : public testing::Test {
+protected:
+    /// Neither way of opening takes the file, nor touches it.
+    void expect_refused(ErrorCode code) {
+        const std::string before = fs::is_regular_file(path_) ? test::read_file(path_) : "";
+        for (const Access access : {Access::kReadOnly, Access::kReadWrite}) {
+            const auto opened = Store::open(path_, access);
+            ASSERT_FALSE(opened);
+            EXPECT_EQ(opened.error().code, code) << opened.error().message;
+            EXPECT_NE(opened.error().message.find(path_.string()), std::string::npos);
+        }
+        const auto created = Store::create_or_open(path_, {});
+        ASSERT_FALSE(created);
+        EXPECT_EQ(created.error().code, code) << created.error().message;
+        if (fs::is_regular_file(path_)) {
+            EXPECT_EQ(test::read_file(path_), before);
+        }
+        EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
+        EXPECT_FALSE(fs::exists(path_.string() + "-journal"));
+    }
+
+    test::TemporaryFolder folder_;
+    fs::path path_ = folder_.path() / "x.index";
+};
+
+TEST_F(ForeignFile, TextIsRefusedAndLeftAlone) {
+    test::write_file(path_, "OFF\n3 1 0\n");
+    expect_refused(ErrorCode::kIndexForeign);
+}
+
+TEST_F(ForeignFile, LongBinaryIsRefusedAndLeftAlone) {
+    test::write_file(path_, std::string(100'000, '\x7F'));
+    expect_refused(ErrorCode::kIndexForeign);
+}
+
+TEST_F(ForeignFile, AnotherProgramsDatabaseIsRefusedAndLeftAlone) {
+    test::make_database(path_, "CREATE TABLE models (id INTEGER); PRAGMA user_version = 1;");
+    expect_refused(ErrorCode::kIndexForeign);
+}
+
+TEST_F(ForeignFile, FoldersAreRefused) {
+    fs::create_directory(path_);
+    expect_refused(ErrorCode::kIndexForeign);
+}
+
+TEST_F(ForeignFile, ALaterVersionIsRefusedAndLeftAlone) {
+    { ASSERT_TRUE(Store::create_or_open(path_, {})); }
+    test::execute_sql(path_, "PRAGMA user_version = " + std::to_string(schema_version() + 1) + ";");
+    expect_refused(ErrorCode::kIndexNewer);
+}
+
+TEST_F(ForeignFile, AMissingFileIsNotFound) {
+    for (const Access access : {Access::kReadOnly, Access::kReadWrite}) {
+        const auto opened = Store::open(path_, access);
+        ASSERT_FALSE(opened);
+        EXPECT_EQ(opened.error().code, ErrorCode::kIndexNotFound);
+    }
+    EXPECT_FALSE(fs::exists(path_)) << "opening makes nothing";
+}
+
+TEST_F(ForeignFile, AnEmptyFileIsNoIndexButMayBecomeOne) {
+    test::write_file(path_, "");
+    const auto opened = Store::open(path_, Access::kReadWrite);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::kIndexForeign);
+    EXPECT_TRUE(Store::create_or_open(path_, {}));
+    EXPECT_TRUE(Store::open(path_, Access::kReadOnly));
+}
+
+TEST_F(ForeignFile, AMissingFolderIsSaidSo) {
+    const auto created = Store::create_or_open(folder_.path() / "none" / "x.index", {});
+    ASSERT_FALSE(created);
+    EXPECT_EQ(created.error().code, ErrorCode::kIndexIo);
+    EXPECT_NE(created.error().message.find("no folder"), std::string::npos);
+}
+
+TEST_F(ForeignFile, UnknownParametersAreDamage) {
+    { ASSERT_TRUE(Store::create_or_open(path_, {})); }
+    for (const char* sql : {"UPDATE parameters SET value = 'sideways' WHERE name = 'thinning'",
+                            "UPDATE parameters SET value = '-3' WHERE name = 'resolution'",
+                            "INSERT INTO parameters VALUES ('colour', 'red')",
+                            "DELETE FROM parameters WHERE name = 'pipeline'"}) {
+        const std::string whole = test::read_file(path_);
+        test::execute_sql(path_, sql);
+        const auto opened = Store::open(path_, Access::kReadOnly);
+        ASSERT_FALSE(opened) << sql;
+        EXPECT_EQ(opened.error().code, ErrorCode::kIndexCorrupt) << sql;
+        test::write_file(path_, whole);
+    }
+}
+
+/// An index with some models, for damaging.
+class DamagedIndex : public ForeignFile {
+protected:
+    void SetUp() override {
+        auto store = Store::create_or_open(path_, {});
+        ASSERT_TRUE(store);
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            ASSERT_TRUE(
+                store->put(test::sample_model(seed, "/m/" + std::to_string(seed) + ".off")));
+        }
+        ASSERT_TRUE(store->put_statistics({{1.0}}, *store->revision()));
+        ASSERT_TRUE(store->put_evaluation(
+            {*store->revision(), RankerKind::kHybrid, false, 0.15, std::string(32, '0')},
+            test::sample_report(1)));
+    }
+
+    std::vector<Finding> findings() {
+        auto store = Store::open(path_, Access::kReadOnly);
+        EXPECT_TRUE(store) << store.error().message;
+        const auto report = store->verify();
+        EXPECT_TRUE(report);
+        return report->findings;
+    }
+};
+
+TEST_F(DamagedIndex, ASoundOneHasNoFindings) {
+    auto store = Store::open(path_, Access::kReadOnly);
+    const auto report = store->verify();
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->findings.empty());
+    EXPECT_EQ(report->models, 6U);
+    EXPECT_EQ(report->blobs, 6U * 6U + 2U);
+}
+
+TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
+    const std::string whole = test::read_file(path_);
+    for (const char* sql : {
+             "UPDATE signatures SET signature = substr(signature, 1, 30) WHERE model = 2",
+             "UPDATE descriptors SET skeleton = x'00' WHERE model = 2",
+             "UPDATE descriptors SET globals = zeroblob(64) WHERE model = 2",
+             "UPDATE descriptors SET skeleton = (SELECT skeleton FROM descriptors WHERE model = 3) "
+             "WHERE model = 2",
+             "UPDATE skeletons SET skeleton = zeroblob(64) WHERE model = 2",
+             "UPDATE previews SET mesh = x'4D455348' WHERE model = 2",
+             "UPDATE thumbnails SET png = x'89504E47' WHERE model = 2",
+             "UPDATE branches SET chain_code = '5' WHERE model = 2 AND branch = 0",
+             "UPDATE branches SET node_a = 7 WHERE model = 2 AND branch = 0",
+             "DELETE FROM branches WHERE model = 2 AND branch = 0",
+             "DELETE FROM skeletons WHERE model = 2",
+             "DELETE FROM previews WHERE model = 2",
+             "DELETE FROM signatures WHERE model = 2",
+             "DELETE FROM descriptors WHERE model = 2",
+             "UPDATE models SET content_hash = 'no hash, though 32 characters !!' WHERE id = 2",
+             "UPDATE models SET warnings = 'none' WHERE id = 2",
+             "UPDATE models SET nodes = nodes + 1 WHERE id = 2",
+             "UPDATE models SET min_x = 1e9 WHERE id = 2",
+             "UPDATE models SET revision = 1000 WHERE id = 2",
+             "UPDATE models SET name = '' WHERE id = 2",
+             "UPDATE statistics SET statistics = x'00'",
+             "UPDATE statistics SET revision = 1000",
+             "DELETE FROM statistics",
+             "UPDATE evaluations SET report = x'00'",
+             "UPDATE evaluations SET ranker = 'dice'",
+             "INSERT INTO failures VALUES ('/m/z.off', '', 'bad_luck', '', '')",
+             "PRAGMA foreign_keys = OFF; DELETE FROM models WHERE id = 2",
+             "DELETE FROM state",
+         }) {
+        test::execute_sql(path_, sql);
+        EXPECT_FALSE(findings().empty()) << sql;
+        test::write_file(path_, whole);
+    }
+    EXPECT_TRUE(findings().empty());
+}
+
+TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
+    const std::string whole = test::read_file(path_);
+    // Every page, at places that move through the page; the first hundred bytes one by one.
+    std::vector<std::size_t> places;
+    for (std::size_t at = 0; at < 100; ++at) places.push_back(at);
+    for (std::size_t at = 100; at < whole.size(); at += 509) places.push_back(at);
+    for (const std::size_t at : places) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+        test::write_file(path_, damaged);
+        auto store = Store::open(path_, Access::kReadOnly);
+        if (!store) continue;
+        (void)store->models();
+        (void)store->contents();
+        (void)store->signatures();
+        (void)store->evaluations();
+        for (ModelId id = 1; id <= 6; ++id) {
+            (void)store->skeleton(id);
+            (void)store->preview(id);
+            (void)store->thumbnail(id);
+        }
+        (void)store->verify();
+    }
+    test::write_file(path_, whole);
+}
+
+TEST_F(DamagedIndex, TruncatedFilesGiveErrorsOrFindings) {
+    const std::string whole = test::read_file(path_);
+    for (std::size_t length = 1; length < whole.size(); length += 1021) {
+        test::write_file(path_, std::string_view(whole).substr(0, length));
+        auto store = Store::open(path_, Access::kReadOnly);
+        if (!store) continue;
+        const auto report = store->verify();
+        EXPECT_TRUE(!report || !report->findings.empty()) << length;
+    }
+}
+
+/// Every version that an index may have been left at.
+class OldVersion : public testing::TestWithParam<int> {};
+
+TEST_P(OldVersion, IsMigratedWithItsModels) {
+    test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "old.index";
+    const NewModel model = test::sample_model(3, "/m/a.off");
+    test::make_old_index(path, GetParam(), model);
+    {
+        auto store = Store::open(path, Access::kReadWrite);
+        ASSERT_TRUE(store) << store.error().message;
+        EXPECT_EQ(store->version(), schema_version());
+        EXPECT_EQ(store->model(1)->name, "a");
+        EXPECT_EQ(*store->revision(), 1);
+        EXPECT_TRUE(store->put(test::sample_model(4, "/m/b.off")));
+        EXPECT_TRUE(store->put_statistics({{1.0}}, *store->revision()));
+        test::expect_sound(*store);
+    }
+    // The schema is then that of an index made today.
+    const fs::path fresh = folder.path() / "fresh.index";
+    { ASSERT_TRUE(Store::create_or_open(fresh, {})); }
+    EXPECT_EQ(test::schema_text(path), test::schema_text(fresh));
+}
+
+TEST_P(OldVersion, IsMigratedForReadersToo) {
+    test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "old.index";
+    test::make_old_index(path, GetParam(), test::sample_model(3, "/m/a.off"));
+    auto store = Store::open(path, Access::kReadOnly);
+    ASSERT_TRUE(store) << store.error().message;
+    EXPECT_EQ(store->models()->total, 1U);
+    EXPECT_FALSE(store->statistics()->has_value());
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, OldVersion, testing::Range(1, schema_version() + 1),
+                         [](const auto& each) { return "From" + std::to_string(each.param); });
+
+TEST(Migrations, AreNumberedWithoutGaps) {
+    int expected = 0;
+    for (const Migration& migration : migrations()) {
+        EXPECT_EQ(migration.version, ++expected);
+        EXPECT_FALSE(migration.sql.empty());
+    }
+    EXPECT_GE(expected, 2);
+}
+
+TEST(Migrations, AreAllThatTheFolderHolds) {
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(OSSUARY_SOURCE_DIR) / "migrations")) {
+        if (entry.path().extension() != ".sql") continue;
+        ++files;
+        const std::string text = test::read_file(entry.path());
+        bool embedded = false;
+        for (const Migration& migration : migrations()) {
+            embedded = embedded ||
+                       (migration.name == entry.path().stem().string() && migration.sql == text);
+        }
+        EXPECT_TRUE(embedded) << entry.path();
+    }
+    EXPECT_EQ(files, migrations().size());
+}
+
+}  // namespace
+}  // namespace ossuary::index

@@ -1,0 +1,372 @@
+#include "index/store.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "index/codec.h"
+#include "index/content_hash.h"
+#include "index/snapshot.h"
+#include "tests/index/sample_index.h"
+
+namespace ossuary::index {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StoreTest : public testing::Test {
+protected:
+    Store make(const IndexParameters& parameters = {}) {
+        auto store = Store::create_or_open(path_, parameters);
+        EXPECT_TRUE(store) << store.error().message;
+        return *std::move(store);
+    }
+
+    test::TemporaryFolder folder_;
+    fs::path path_ = folder_.path() / "models.index";
+};
+
+TEST_F(StoreTest, GivesBackWhatWasPut) {
+    Store store = make();
+    const NewModel model = test::sample_model(5, "/m/elephant.off");
+    const auto id = store.put(model);
+    ASSERT_TRUE(id) << id.error().message;
+    EXPECT_EQ(*id, 1);
+
+    const auto summary = store.model(*id);
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(summary->name, "elephant");
+    EXPECT_EQ(summary->class_name, "class2");
+    EXPECT_EQ(summary->path, "/m/elephant.off");
+    EXPECT_EQ(summary->content_hash, model.summary.content_hash);
+    EXPECT_EQ(summary->vertices, model.summary.vertices);
+    EXPECT_EQ(summary->faces, model.summary.faces);
+    EXPECT_EQ(summary->nodes, model.skeleton.nodes.size());
+    EXPECT_EQ(summary->branches, model.skeleton.branches.size());
+    EXPECT_EQ(summary->bounds.min(), model.summary.bounds.min());
+    EXPECT_EQ(summary->bounds.max(), model.summary.bounds.max());
+    EXPECT_EQ(summary->surface_area, model.summary.surface_area);
+    ASSERT_EQ(summary->warnings.size(), 1U);
+    EXPECT_EQ(summary->warnings[0].message, model.summary.warnings[0].message);
+    EXPECT_EQ(summary->indexed_at.size(), std::string("2026-01-01T00:00:00Z").size());
+
+    const auto skeleton = store.skeleton(*id);
+    ASSERT_TRUE(skeleton);
+    EXPECT_EQ(encode_skeleton(skeleton->graph), encode_skeleton(model.skeleton));
+    ASSERT_EQ(skeleton->chain_codes.size(), model.descriptor.skeleton.branches.size());
+    EXPECT_EQ(skeleton->chain_codes[0], model.descriptor.skeleton.branches[0].chain_code);
+    EXPECT_EQ(store.preview(*id)->triangles, model.preview.triangles);
+    EXPECT_EQ(*store.thumbnail(*id), model.thumbnail);
+    const std::vector<ModelId> ids = {*id};
+    const auto descriptors = store.descriptors(ids);
+    ASSERT_TRUE(descriptors);
+    ASSERT_EQ(descriptors->size(), 1U);
+    const ModelDescriptor& descriptor = descriptors->front().descriptor;
+    EXPECT_EQ(encode_descriptor(descriptor.skeleton), encode_descriptor(model.descriptor.skeleton));
+    EXPECT_EQ(descriptor.skeleton.rooted.content_key, model.descriptor.skeleton.rooted.content_key);
+    EXPECT_EQ(encode_globals(descriptor.globals), encode_globals(model.descriptor.globals));
+    EXPECT_EQ(store.signatures()->front().signature, model.descriptor.signature);
+    EXPECT_EQ(store.models_named("elephant")->size(), 1U);
+    EXPECT_TRUE(store.models_named("Elephant")->empty());
+}
+
+TEST_F(StoreTest, KeepsTheIdOfAModelWhosePathGetsOtherContents) {
+    Store store = make();
+    ASSERT_EQ(*store.put(test::sample_model(1, "/m/a.off")), 1);
+    ASSERT_EQ(*store.put(test::sample_model(2, "/m/b.off")), 2);
+    ASSERT_EQ(*store.put(test::sample_model(3, "/m/a.off")), 1);
+    EXPECT_EQ(store.models()->total, 2U);
+    EXPECT_EQ(store.model(1)->content_hash, test::sample_model(3, "").summary.content_hash);
+    ASSERT_TRUE(store.put_statistics({{1.0}}, *store.revision()));
+    test::expect_sound(store);
+}
+
+TEST_F(StoreTest, NeverUsesAnIdTwice) {
+    Store store = make();
+    ASSERT_EQ(*store.put(test::sample_model(1, "/m/a.off")), 1);
+    ASSERT_EQ(*store.put(test::sample_model(2, "/m/b.off")), 2);
+    ASSERT_TRUE(store.remove(2));
+    EXPECT_EQ(*store.put(test::sample_model(3, "/m/c.off")), 3);
+}
+
+TEST_F(StoreTest, TakesTheSameUploadOnce) {
+    Store store = make();
+    const ModelId id = *store.put(test::sample_model(1, ""));
+    EXPECT_EQ(*store.put(test::sample_model(1, "")), id);
+    EXPECT_NE(*store.put(test::sample_model(2, "")), id);
+    EXPECT_TRUE(store.model(id)->path.empty());
+    // A file with the same bytes is a model of its own.
+    EXPECT_NE(*store.put(test::sample_model(1, "/m/a.off")), id);
+}
+
+TEST_F(StoreTest, RemovesAModelWithAllItsParts) {
+    Store store = make();
+    const ModelId id = *store.put(test::sample_model(1, "/m/a.off"));
+    ASSERT_TRUE(store.remove(id));
+    EXPECT_EQ(store.model(id).error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.skeleton(id).error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.preview(id).error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.thumbnail(id).error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.remove(id).error().code, ErrorCode::kModelNotFound);
+    for (const char* table :
+         {"signatures", "descriptors", "skeletons", "branches", "previews", "thumbnails"}) {
+        EXPECT_EQ(test::index_text(path_).find(std::string("== ") + table + "\nmodel"),
+                  std::string::npos)
+            << table;
+    }
+}
+
+TEST_F(StoreTest, AppliesAllChangesOrNone) {
+    Store store = make();
+    const std::vector<Change> changes = {PutModel{test::sample_model(1, "/m/a.off")},
+                                         RemoveModel{77}};
+    const auto applied = store.apply(changes);
+    ASSERT_FALSE(applied);
+    EXPECT_EQ(applied.error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.models()->total, 0U);
+    EXPECT_EQ(*store.revision(), 0);
+}
+
+TEST_F(StoreTest, CountsOneRevisionATransaction) {
+    Store store = make();
+    EXPECT_EQ(*store.revision(), 0);
+    const std::vector<Change> changes = {PutModel{test::sample_model(1, "/m/a.off")},
+                                         PutModel{test::sample_model(2, "/m/b.off")}};
+    ASSERT_TRUE(store.apply(changes));
+    EXPECT_EQ(*store.revision(), 1);
+    ASSERT_TRUE(store.apply(changes));  // nothing new
+    EXPECT_EQ(*store.revision(), 1);
+    const std::vector<Change> failure = {
+        RecordFailure{"/m/c.off", content_hash("c"), {ErrorCode::kOffTruncated, "line 3"}}};
+    ASSERT_TRUE(store.apply(failure));
+    EXPECT_EQ(*store.revision(), 1) << "models did not change";
+    ASSERT_TRUE(store.remove(1));
+    EXPECT_EQ(*store.revision(), 2);
+}
+
+TEST_F(StoreTest, RefusesDescriptionsThatCouldNotBeRead) {
+    Store store = make();
+    NewModel model = test::sample_model(1, "/m/a.off");
+    model.descriptor.signature[0] = std::nanf("");
+    const auto put = store.put(model);
+    ASSERT_FALSE(put);
+    EXPECT_EQ(put.error().code, ErrorCode::kInternal);
+    EXPECT_EQ(store.models()->total, 0U);
+}
+
+TEST_F(StoreTest, PagesThroughFilteredModels) {
+    Store store = make();
+    for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+        const std::string name =
+            "/m/" + std::string(seed % 2 == 0 ? "Cow" : "bull") + std::to_string(seed) + ".off";
+        ASSERT_TRUE(store.put(test::sample_model(seed, name)));
+    }
+    std::vector<ModelId> seen;
+    ModelFilter filter;
+    filter.limit = 3;
+    filter.name_contains = "cOw";
+    while (true) {
+        const auto page = store.models(filter);
+        ASSERT_TRUE(page);
+        EXPECT_EQ(page->total, 4U);
+        for (const auto& model : page->models) seen.push_back(model.id);
+        if (!page->next) break;
+        filter.after = *page->next;
+    }
+    EXPECT_EQ(seen, (std::vector<ModelId>{2, 4, 6, 8}));
+    ModelFilter of_class;
+    of_class.class_name = "class1";
+    EXPECT_EQ(store.models(of_class)->total, 3U);
+    of_class.class_name = "";
+    EXPECT_EQ(store.models(of_class)->total, 3U) << "models without a class";
+}
+
+TEST_F(StoreTest, SaysWhatIsToBeDoneForAFile) {
+    Store store = make();
+    const NewModel model = test::sample_model(1, "/m/a.off");
+    const std::string& hash = model.summary.content_hash;
+    EXPECT_EQ(store.claim_work("/m/a.off", hash)->kind, Work::Kind::kDescribe);
+    const ModelId id = *store.put(model);
+    const auto unchanged = store.claim_work("/m/a.off", hash);
+    EXPECT_EQ(unchanged->kind, Work::Kind::kUnchanged);
+    EXPECT_EQ(unchanged->models.front().id, id);
+    EXPECT_EQ(store.claim_work("/m/a.off", content_hash("else"))->kind, Work::Kind::kDescribe);
+    const auto same = store.claim_work("/m/b.off", hash);
+    EXPECT_EQ(same->kind, Work::Kind::kSameContent);
+    EXPECT_EQ(same->models.front().path, "/m/a.off");
+
+    const std::string bad = content_hash("bad");
+    const std::vector<Change> failure = {
+        RecordFailure{"/m/c.off", bad, {ErrorCode::kOffTruncated, "line 3"}}};
+    ASSERT_TRUE(store.apply(failure));
+    const auto known = store.claim_work("/m/c.off", bad);
+    EXPECT_EQ(known->kind, Work::Kind::kKnownFailure);
+    EXPECT_EQ(known->failure->code, "off_truncated");
+    EXPECT_EQ(store.claim_work("/m/c.off", content_hash("mended"))->kind, Work::Kind::kDescribe);
+}
+
+TEST_F(StoreTest, ForgetsAFailureOnceTheFileIsIndexed) {
+    Store store = make();
+    const std::vector<Change> failure = {
+        RecordFailure{"/m/a.off", content_hash("bad"), {ErrorCode::kOffTruncated, "line 3"}}};
+    ASSERT_TRUE(store.apply(failure));
+    ASSERT_EQ(store.failures()->size(), 1U);
+    EXPECT_EQ(store.failures()->front().message, "line 3");
+    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    EXPECT_TRUE(store.failures()->empty());
+}
+
+TEST_F(StoreTest, DropsAModelWhoseNewContentsFail) {
+    Store store = make();
+    const NewModel model = test::sample_model(1, "/m/a.off");
+    const ModelId id = *store.put(model);
+    const std::vector<Change> unreadable = {
+        RecordFailure{"/m/a.off", "", {ErrorCode::kFileUnreadable, "no"}}};
+    ASSERT_TRUE(store.apply(unreadable));
+    EXPECT_TRUE(store.model(id)) << "what could not be read may not have changed";
+    const std::vector<Change> broken = {
+        RecordFailure{"/m/a.off", content_hash("broken"), {ErrorCode::kOffTruncated, "no"}}};
+    ASSERT_TRUE(store.apply(broken));
+    EXPECT_FALSE(store.model(id));
+}
+
+TEST_F(StoreTest, MovesAModelOntoThePathOfAnother) {
+    Store store = make();
+    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    ASSERT_TRUE(store.put(test::sample_model(2, "/m/b.off")));
+    const std::vector<Change> move = {MoveModel{2, "/m/a.off", "a", std::nullopt}};
+    ASSERT_TRUE(store.apply(move));
+    EXPECT_EQ(store.models()->total, 1U);
+    EXPECT_EQ(store.model(2)->path, "/m/a.off");
+    EXPECT_EQ(store.model(2)->class_name, "class2");
+}
+
+TEST_F(StoreTest, KeepsStatisticsAndEvaluations) {
+    Store store = make();
+    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    EXPECT_FALSE(store.statistics()->has_value());
+    EXPECT_EQ(store.collection_state()->statistics, -1);
+    ASSERT_TRUE(store.put_statistics({{1.0, 2.5}}, 1));
+    EXPECT_EQ((*store.statistics())->statistics.values, (std::vector<double>{1.0, 2.5}));
+    ASSERT_TRUE(store.put_statistics({{9.0}}, 0));
+    EXPECT_EQ((*store.statistics())->statistics.values.size(), 2U) << "older ones do not win";
+    EXPECT_EQ(store.collection_state()->statistics, 1);
+
+    const EvaluationKey key{1, RankerKind::kSkeleton, true, 0.15, content_hash("x")};
+    EXPECT_FALSE(store.evaluation(key)->has_value());
+    const RetrievalReport report = test::sample_report(3);
+    ASSERT_TRUE(store.put_evaluation(key, report));
+    const auto kept = store.evaluation(key);
+    ASSERT_TRUE(kept->has_value());
+    EXPECT_EQ(encode_report((*kept)->report), encode_report(report));
+    EXPECT_EQ(store.evaluations()->size(), 1U);
+    EvaluationKey other = key;
+    other.pose = 0.2;
+    EXPECT_FALSE(store.evaluation(other)->has_value());
+
+    ASSERT_TRUE(store.remove(1));
+    EXPECT_TRUE(store.evaluations()->empty()) << "of an earlier revision";
+    other.revision = 2;
+    ASSERT_TRUE(store.put_evaluation(other, report));
+    EXPECT_FALSE(store.evaluation(key)->has_value()) << "dropped when another was kept";
+}
+
+TEST_F(StoreTest, RefusesOtherParameters) {
+    { make({.resolution = 64}); }
+    const auto other = Store::create_or_open(path_, {.resolution = 96});
+    ASSERT_FALSE(other);
+    EXPECT_EQ(other.error().code, ErrorCode::kIndexParameters);
+    EXPECT_NE(other.error().message.find("resolution 64"), std::string::npos);
+    EXPECT_TRUE(Store::create_or_open(path_, {.resolution = 64}));
+    EXPECT_EQ(Store::open(path_, Access::kReadOnly)->parameters().resolution, 64);
+}
+
+TEST_F(StoreTest, ReadersCannotWrite) {
+    { make(); }
+    auto reader = Store::open(path_, Access::kReadOnly);
+    ASSERT_TRUE(reader);
+    const auto put = reader->put(test::sample_model(1, "/m/a.off"));
+    ASSERT_FALSE(put);
+    EXPECT_EQ(put.error().code, ErrorCode::kIndexIo);
+}
+
+TEST_F(StoreTest, ReadersSeeWholeTransactionsWhileAnotherConnectionWrites) {
+    Store writer = make();
+    auto reader = Store::open(path_, Access::kReadOnly);
+    ASSERT_TRUE(reader);
+    std::atomic<bool> done = false;
+    std::thread writing([&] {
+        for (std::uint64_t i = 0; i < 60; ++i) {
+            const std::vector<Change> pair = {
+                PutModel{test::sample_model(2 * i, "/m/" + std::to_string(2 * i) + ".off")},
+                PutModel{
+                    test::sample_model(2 * i + 1, "/m/" + std::to_string(2 * i + 1) + ".off")}};
+            EXPECT_TRUE(writer.apply(pair));
+        }
+        done = true;
+    });
+    std::shared_ptr<const Snapshot> snapshot;
+    Revision last = 0;
+    while (!done) {
+        const auto loaded = Snapshot::load(*reader, snapshot.get());
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        snapshot = *loaded;
+        EXPECT_GE(snapshot->revision(), last);
+        last = snapshot->revision();
+        EXPECT_EQ(snapshot->size(), 2 * static_cast<std::size_t>(last));
+    }
+    writing.join();
+    const auto loaded = Snapshot::load(*reader, snapshot.get());
+    EXPECT_EQ((*loaded)->size(), 120U);
+}
+
+TEST_F(StoreTest, SaysSoWhenAnotherHoldsTheWriteLockForTooLong) {
+    Store store = make();
+    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    ASSERT_TRUE(store.set_busy_timeout(50));
+    const test::HeldWriteLock lock(path_);
+    const auto put = store.put(test::sample_model(2, "/m/b.off"));
+    ASSERT_FALSE(put);
+    EXPECT_EQ(put.error().code, ErrorCode::kIndexBusy);
+    EXPECT_EQ(store.models()->total, 1U) << "reading goes on";
+}
+
+TEST_F(StoreTest, SnapshotsShareWhatHasNotChanged) {
+    Store store = make();
+    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    ASSERT_TRUE(store.put(test::sample_model(2, "/m/b.off")));
+    const auto first = *Snapshot::load(store);
+    ASSERT_TRUE(store.put(test::sample_model(3, "/m/b.off")));
+    ASSERT_TRUE(store.put(test::sample_model(4, "/m/c.off")));
+    ASSERT_TRUE(store.remove(1));
+    const auto second = *Snapshot::load(store, first.get());
+    const auto fresh = *Snapshot::load(store);
+    ASSERT_EQ(second->size(), 2U);
+    EXPECT_EQ(second->find(1), std::nullopt);
+    EXPECT_EQ(second->find(2), 0U);
+    EXPECT_EQ(second->find(3), 1U);
+    EXPECT_EQ(second->models()[0].content_hash, fresh->models()[0].content_hash);
+    EXPECT_EQ(first->size(), 2U) << "the earlier one stays as it was";
+
+    ASSERT_TRUE(store.put(test::sample_model(5, "/m/d.off")));
+    const auto third = *Snapshot::load(store, second.get());
+    EXPECT_EQ(third->descriptors()[0], second->descriptors()[0]) << "shared, not copied";
+    EXPECT_EQ(third->descriptors()[1], second->descriptors()[1]);
+}
+
+TEST_F(StoreTest, IsOneFileOnceItIsClosed) {
+    {
+        Store store = make();
+        ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+    }
+    EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
+    const fs::path copy = folder_.path() / "copy with ? and %41 # in it.index";
+    fs::copy_file(path_, copy);
+    auto store = Store::open(copy, Access::kReadOnly);
+    ASSERT_TRUE(store) << store.error().message;
+    EXPECT_EQ(store->models()->total, 1U);
+}
+
+}  // namespace
+}  // namespace ossuary::index
