@@ -32,7 +32,7 @@ std::array<Vec3f, kRays> cone_directions() {
 /// by does not (2.2 times slower).
 float ray_length(const BitVolume& solid, const Vec3f& start, const Vec3f& direction) {
     constexpr float kOne = 65536.0F;
-    const Vec3i size = solid.size();
+    const Vec3i& size = solid.size();
     const Vec3i step = (kStep * kOne * direction).cast<std::int32_t>();
     Vec3i at = (kOne * start).array().floor().cast<std::int32_t>();
     for (int steps = 0;; ++steps, at += step) {

@@ -63,7 +63,8 @@ std::vector<float> harmonics_part(const std::vector<float>& fine) {
 
 /// The lowest frequencies of the three images' means (4 x 4, then a few more of the first).
 std::vector<float> depth_part(const std::vector<float>& fine) {
-    constexpr std::size_t kImage = static_cast<std::size_t>(kDepthFrequencies * kDepthFrequencies);
+    constexpr auto kImage =
+        static_cast<std::size_t>(kDepthFrequencies) * static_cast<std::size_t>(kDepthFrequencies);
     std::vector<float> values;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t i = 0; i < 16; ++i) {
