@@ -158,9 +158,11 @@ describe('a search by upload', () => {
         await upload(page, models.query);
         await page.waitForURL('**/#/search');
         await page.locator('.hit-card').first().waitFor();
-        const again = page.waitForResponse((response) => response.url().includes('/v1/search'));
-        await page.getByText('Chain code', { exact: true }).click();
-        expect((await again).url()).toContain('ranker=chain-code');
+        const [again] = await Promise.all([
+            page.waitForResponse((response) => response.url().includes('/v1/search')),
+            page.getByRole('radio', { name: 'Chain code' }).check(),
+        ]);
+        expect(again.url()).toContain('ranker=chain-code');
         await page.waitForURL('**/#/search?ranker=chain-code');
         await page.locator('.hit-card a').first().click();
         await page.locator('dialog .pane-canvas').first().waitFor();
@@ -188,8 +190,9 @@ describe('a search by upload', () => {
 });
 
 describe('the 3D comparison', () => {
-    async function openComparison(options: BrowserContextOptions = {}): Promise<Page> {
-        const page = await open(`#/models/${kModels}`, options);
+    async function openComparison(): Promise<Page> {
+        // Software rendering takes its time over each pixel.
+        const page = await open(`#/models/${kModels}`, { viewport: { width: 1000, height: 480 } });
         await page.locator('.hit-card a').first().click();
         await page.locator('.match-table tbody tr').first().waitFor();
         return page;

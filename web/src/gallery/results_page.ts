@@ -54,6 +54,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
     let route = first;
     let answer: Answer | null = null;
     let dialog: ComparisonDialog | null = null;
+    let panelShown = false;
     let running = new AbortController();
     const title = element('h1', { class: 'results-title' }, 'Searching…');
     const timing = element('div', {});
@@ -114,7 +115,11 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
                 : emptyNotice('No hits.', 'No other model of the collection fits the options.'),
         );
         context.announce(`${formatPlural(result.hits.length, 'hit')} for ${result.query.name}`);
-        void panel.show(result.query, found.mesh);
+        if (!panelShown) {
+            // The query stays the same whatever it is asked for.
+            panelShown = true;
+            void panel.show(result.query, found.mesh);
+        }
         openHit();
     };
     const load = async (): Promise<void> => {
