@@ -16,7 +16,7 @@ export default defineConfig({
     test: {
         environment: 'node',
         include: ['**/*.test.ts'],
-        testTimeout: 120_000,
+        testTimeout: 240_000,
         hookTimeout: 180_000,
         fileParallelism: false,
     },

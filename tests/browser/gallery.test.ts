@@ -6,9 +6,10 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
 import { kClasses, kModelsPerClass, type WrittenModels, writeModels } from './models';
 import { buildIndex, type Server, startServer } from './server';
-import { launchBrowser, looksOf, type Visitor, visit } from './visitor';
+import { launchBrowser, looksOf, settledPicture, type Visitor, visit } from './visitor';
 
 const kModels = kClasses.length * kModelsPerClass;
+const kSmall = { width: 1000, height: 480 };
 
 let folder: string;
 let models: WrittenModels;
@@ -192,7 +193,7 @@ describe('a search by upload', () => {
 describe('the 3D comparison', () => {
     async function openComparison(): Promise<Page> {
         // Software rendering takes its time over each pixel.
-        const page = await open(`#/models/${kModels}`, { viewport: { width: 1000, height: 480 } });
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
         await page.locator('.hit-card a').first().click();
         await page.locator('.match-table tbody tr').first().waitFor();
         return page;
@@ -201,19 +202,25 @@ describe('the 3D comparison', () => {
     it('lights up a branch in both pictures when its row is pointed at', async () => {
         const page = await openComparison();
         const canvases = await page.locator('dialog .pane-canvas').all();
-        const shots = () =>
-            Promise.all(canvases.map(async (c) => (await c.screenshot()).toString('base64')));
+        const pictures = async () => {
+            const found: Buffer[] = [];
+            for (const canvas of canvases) {
+                found.push(await settledPicture(canvas));
+            }
+            return found;
+        };
         await page.locator('.match-summary').hover();
-        const before = await shots();
+        const before = await pictures();
         await page.locator('.match-table tbody tr').first().hover();
-        await page.waitForTimeout(300);
-        const during = await shots();
+        await page.locator('.match-table tr.chosen').waitFor();
+        const during = await pictures();
         await page.locator('.match-summary').hover();
-        await page.waitForTimeout(300);
-        const after = await shots();
+        await page.locator('.match-table tr.chosen').waitFor({ state: 'detached' });
+        const after = await pictures();
+        expect(before).toHaveLength(2);
         for (const [at, picture] of before.entries()) {
-            expect(during[at]).not.toBe(picture);
-            expect(after[at]).toBe(picture);
+            expect(during[at]?.equals(picture)).toBe(false);
+            expect(after[at]?.equals(picture)).toBe(true);
         }
         expectGoodManners();
     });
@@ -233,17 +240,16 @@ describe('the 3D comparison', () => {
             await page.mouse.move(x + 90, y, { steps: 4 });
             await page.mouse.up();
             await page.locator('.match-summary').hover();
-            await page.waitForTimeout(300);
         };
-        const still = await right.screenshot();
+        const still = await settledPicture(right);
         await drag();
-        const together = await right.screenshot();
+        const together = await settledPicture(right);
         expect(together.equals(still)).toBe(false);
-        await page.getByText('Turn together').click();
-        const alone = await left.screenshot();
+        await page.getByLabel('Turn together').uncheck();
+        const alone = await settledPicture(left);
         await drag();
-        expect((await right.screenshot()).equals(together)).toBe(true);
-        expect((await left.screenshot()).equals(alone)).toBe(false);
+        expect((await settledPicture(left)).equals(alone)).toBe(false);
+        expect((await settledPicture(right)).equals(together)).toBe(true);
         expectGoodManners();
     });
 
@@ -263,7 +269,7 @@ describe('the 3D comparison', () => {
 
 describe('without a mouse', () => {
     it('leads from the collection to a comparison and back', async () => {
-        const page = await open();
+        const page = await open('#/', { viewport: kSmall });
         await page.locator('.collection .card-link').first().waitFor();
         await tabTo(page, '.collection .card-link');
         await page.keyboard.press('Enter');
@@ -273,10 +279,9 @@ describe('without a mouse', () => {
         await page.locator('.match-table tbody tr').first().waitFor();
         const canvas = page.locator('dialog .pane-canvas').first();
         await tabTo(page, 'dialog .pane-canvas');
-        const before = await canvas.screenshot();
+        const before = await settledPicture(canvas);
         await page.keyboard.press('ArrowRight');
-        await page.waitForTimeout(300);
-        expect((await canvas.screenshot()).equals(before)).toBe(false);
+        expect((await settledPicture(canvas)).equals(before)).toBe(false);
         await tabTo(page, '.match-table tbody tr');
         await page.locator('.match-table tr.chosen').waitFor();
         await page.keyboard.press('Escape');
@@ -289,8 +294,8 @@ describe('without a mouse', () => {
 
     it('uploads a model', async () => {
         const page = await open();
-        await tabTo(page, '.drop-zone button');
         const chooser = page.waitForEvent('filechooser');
+        await tabTo(page, '.drop-zone button');
         await page.keyboard.press('Enter');
         await (await chooser).setFiles(models.query);
         await page.waitForURL('**/#/search');

@@ -6,6 +6,8 @@ import {
     type Page,
 } from 'playwright-core';
 
+/** Software WebGL on a busy machine is slow; what hangs, hangs longer than this. */
+const kPatienceMs = 90_000;
 const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 /** Headless, WebGL in software, and silent towards the network. */
@@ -44,6 +46,7 @@ export async function visit(
         reducedMotion: 'reduce',
         ...options,
     });
+    context.setDefaultTimeout(kPatienceMs);
     const page = await context.newPage();
     const complaints: string[] = [];
     const strangers: string[] = [];
@@ -83,4 +86,18 @@ export async function looksOf(target: Locator): Promise<{ colors: number; drawn:
         const most = Math.max(...counts.values());
         return { colors: counts.size, drawn: 1 - most / (bitmap.width * bitmap.height) };
     }, png);
+}
+
+/** A picture of the element once two in a row are the same: everything under way has been drawn. */
+export async function settledPicture(target: Locator): Promise<Buffer> {
+    let last = await target.screenshot();
+    for (let attempt = 0; attempt < 40; attempt++) {
+        await target.page().waitForTimeout(150);
+        const next = await target.screenshot();
+        if (next.equals(last)) {
+            return next;
+        }
+        last = next;
+    }
+    throw new Error('the picture does not come to rest');
 }
