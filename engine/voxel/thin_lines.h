@@ -11,15 +11,20 @@ namespace ossuary {
 /// Where a solid, sampled at voxel centres, may have lost something of its surface.
 struct ThinPlaces {
     BitVolume thick;  ///< the thick parts of the solid (morphology.h)
-    /// Triangles with a corner that has nothing thick around it, or longer than two voxels, so that
-    /// the corners do not tell enough. Elsewhere lines that miss all centres only graze the
+    /// Triangles with a corner that has nothing thick around it, or longer than four voxels, so
+    /// that the corners do not tell enough. Elsewhere lines that miss all centres only graze the
     /// outline.
     std::vector<std::uint32_t> triangles;
 };
 ThinPlaces find_thin_places(const GridMesh& mesh, const BitVolume& solid);
 
-/// The lines along an axis that pass by thin places: bit (u, v, 0) is the line with these
-/// coordinates along axis + 1 and axis + 2.
-BitVolume lines_past(const GridMesh& mesh, const ThinPlaces& places, int axis);
+/// The lines along an axis that pass by thin places, and what they may cross.
+struct LinesPast {
+    BitVolume lines;  ///< bit (u, v, 0): the line with these coordinates along axis + 1, axis + 2
+    std::vector<std::uint32_t> triangles;  ///< all that a line crosses, and some more
+};
+/// @param candidates  the triangles to choose from
+LinesPast lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
+                     const ThinPlaces& places, int axis);
 
 }  // namespace ossuary
