@@ -86,7 +86,7 @@ bool PolygonTriangulator::is_ear(std::uint32_t corner) {
     const Vec2& a = points_[before];
     const Vec2& b = points_[corner];
     const Vec2& c = points_[after];
-    work_left_ -= std::min<std::uint64_t>(work_left_, reflex_corners_.size() + 1);
+    spend(reflex_corners_.size());
     for (const std::uint32_t other : reflex_corners_) {
         if (reflex_[other] == 0 || other == before || other == after) continue;
         const Vec2& point = points_[other];
@@ -101,6 +101,7 @@ void PolygonTriangulator::unlink(std::uint32_t corner) {
     previous_[next_[corner]] = previous_[corner];
     reflex_[corner] = 0;
     for (const std::uint32_t neighbor : {previous_[corner], next_[corner]}) {
+        no_ear_[neighbor] = 0;
         if (reflex_[neighbor] != 0 && !is_reflex(neighbor)) reflex_[neighbor] = 0;
     }
 }
@@ -111,6 +112,7 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
     next_.resize(count);
     previous_.resize(count);
     reflex_.assign(count, 0);
+    no_ear_.assign(count, 0);
     reflex_corners_.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
         next_[i] = i + 1 == count ? 0 : i + 1;
@@ -123,10 +125,20 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
     }
     std::uint32_t left = count;
     std::uint32_t at = 0;
-    std::uint32_t tried = 0;  // corners since the last ear
-    while (left > 3 && tried < left && work_left_ > 0) {
-        ++tried;
-        if (!is_ear(at)) {
+    std::uint32_t visited = 0;   // corners since the last ear
+    bool all_looked_at = false;  // nothing has changed since every corner was looked at
+    while (left > 3 && work_left_ > 0) {
+        spend(1);
+        if (visited++ == left) {
+            // Only the neighbours of an ear were looked at again when it went, but another corner
+            // may have become an ear too. Once all have been looked at in vain, there is none.
+            if (all_looked_at) break;
+            all_looked_at = true;
+            visited = 0;
+            no_ear_.assign(count, 0);
+        }
+        if (no_ear_[at] != 0 || !is_ear(at)) {
+            no_ear_[at] = 1;
             at = next_[at];
             continue;
         }
@@ -135,7 +147,8 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
         // Going on behind the next corner spreads the ears and avoids long thin triangles.
         at = next_[next_[at]];
         --left;
-        tried = 0;
+        visited = 0;
+        all_looked_at = false;
     }
     if (left > 3) ++fanned_;
     const std::uint32_t apex = at;

@@ -17,8 +17,8 @@ namespace ossuary {
 /// ear left becomes a fan.
 class PolygonTriangulator {
 public:
-    /// `max_work` bounds the point-in-triangle tests over the lifetime of the object; polygons that
-    /// come after it is spent become fans.
+    /// `max_work` bounds the steps (corners visited, points tested) over the lifetime of the
+    /// object; what is left when they are spent becomes fans.
     explicit PolygonTriangulator(std::uint64_t max_work = 300'000'000) : work_left_(max_work) {}
 
     /// Appends the triangles of `polygon`, at least three indices into `vertices`.
@@ -38,6 +38,7 @@ private:
                    std::vector<TriangleMesh::Triangle>& triangles);
     [[nodiscard]] bool is_reflex(std::uint32_t corner) const;
     [[nodiscard]] bool is_ear(std::uint32_t corner);
+    void spend(std::uint64_t steps) { work_left_ -= steps < work_left_ ? steps : work_left_; }
     void unlink(std::uint32_t corner);
 
     std::uint64_t work_left_;
@@ -46,6 +47,7 @@ private:
     std::vector<std::uint32_t> next_;
     std::vector<std::uint32_t> previous_;
     std::vector<std::uint8_t> reflex_;
+    std::vector<std::uint8_t> no_ear_;           // at the last look, which may be out of date
     std::vector<std::uint32_t> reflex_corners_;  // may name corners that are reflex no more
 };
 

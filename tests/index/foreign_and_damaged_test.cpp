@@ -204,12 +204,15 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
 
 TEST_F(DamagedIndex, TruncatedFilesGiveErrorsOrFindings) {
     const std::string whole = test::read_file(path_);
+    const std::string text = test::index_text(path_);
     for (std::size_t length = 1; length < whole.size(); length += 1021) {
         test::write_file(path_, std::string_view(whole).substr(0, length));
         auto store = Store::open(path_, Access::kReadOnly);
         if (!store) continue;
         const auto report = store->verify();
-        EXPECT_TRUE(!report || !report->findings.empty()) << length;
+        // The end of the last page may be unused; then nothing is lost.
+        const bool noticed = !report || !report->findings.empty();
+        EXPECT_TRUE(noticed || test::index_text(path_) == text) << length;
     }
 }
 
