@@ -47,6 +47,19 @@ Result<std::unique_ptr<Connection>> open_or_create_connection(const fs::path& pa
 
 }  // namespace
 
+bool is_unusable_index(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::kIndexNotFound:
+        case ErrorCode::kIndexForeign:
+        case ErrorCode::kIndexNewer:
+        case ErrorCode::kIndexCorrupt:
+        case ErrorCode::kIndexParameters:
+            return true;
+        default:
+            return false;
+    }
+}
+
 Result<IndexParameters> read_parameters(Connection& connection, const fs::path& path) {
     const auto damaged = [&path](const std::string& what) {
         return Error{ErrorCode::kIndexCorrupt, path.string() + ": parameters: " + what};

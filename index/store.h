@@ -142,6 +142,10 @@ struct VerifyReport {
     std::vector<Finding> findings;  ///< empty for a sound index
 };
 
+/// Whether an error says that the file cannot serve as the index that was asked for (absent,
+/// foreign, newer, damaged, other parameters): exit status 4 of both programs.
+[[nodiscard]] bool is_unusable_index(ErrorCode code);
+
 /// One index on disk (docs/index-format.md). The only file of the program that knows SQL; a store
 /// for several machines would offer the same calls. Safe to call from several threads, which then
 /// take turns; other processes may read and write the same index meanwhile.

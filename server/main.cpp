@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "index/store.h"
 #include "server/application.h"
 #include "server/options.h"
 #include "server/server.h"
@@ -21,17 +22,7 @@ constexpr int kNotAnIndex = 4;
 constexpr auto kLastGrace = std::chrono::seconds(5);
 
 int exit_status_for(ossuary::ErrorCode code) {
-    using enum ossuary::ErrorCode;
-    switch (code) {
-        case kIndexNotFound:
-        case kIndexForeign:
-        case kIndexNewer:
-        case kIndexCorrupt:
-        case kIndexParameters:
-            return kNotAnIndex;
-        default:
-            return kFailed;
-    }
+    return ossuary::index::is_unusable_index(code) ? kNotAnIndex : kFailed;
 }
 
 /// Blocks SIGINT and SIGTERM for this thread and those that it will start, so that `sigwait` gets

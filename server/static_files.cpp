@@ -101,8 +101,14 @@ std::optional<Response> StaticFiles::find(const RequestHead& head) const {
     const auto found = files_.find(head.path == "/" ? "/index.html" : std::string_view(head.path));
     if (found == files_.end()) return std::nullopt;
     const File& file = found->second;
-    if (is_current(head, file.etag)) return not_modified(file.etag);
-    Response response = answer(file.content_type, file.content);
+    Response response;
+    if (is_current(head, file.etag)) {
+        // A 304's headers replace those of the browser's copy: they must be the page's.
+        response.status = 304;
+        response.content_type = file.content_type;
+    } else {
+        response = answer(file.content_type, file.content);
+    }
     response.set_header("ETag", file.etag);
     response.set_header("Cache-Control",
                         file.immutable ? "public, max-age=31536000, immutable" : "no-cache");

@@ -1,19 +1,12 @@
 #include "index/cli/exit_code.h"
 
+#include "index/store.h"
+
 namespace ossuary::cli {
 
 ExitCode exit_code_for(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::kIndexNotFound:
-        case ErrorCode::kIndexForeign:
-        case ErrorCode::kIndexNewer:
-        case ErrorCode::kIndexCorrupt:
-            return ExitCode::kNotAnIndex;
-        case ErrorCode::kInvalidArgument:
-            return ExitCode::kUsage;
-        default:
-            return ExitCode::kFailed;
-    }
+    if (index::is_unusable_index(code)) return ExitCode::kNotAnIndex;
+    return code == ErrorCode::kInvalidArgument ? ExitCode::kUsage : ExitCode::kFailed;
 }
 
 }  // namespace ossuary::cli

@@ -1,0 +1,267 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "tests/index/cli/run_program.h"
+#include "tests/index/sample_index.h"
+
+// The command line that scripts depend on: exit statuses, stdout apart from stderr, JSON fields.
+namespace ossuary::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+constexpr int kModels = 6;
+
+class CommandLineTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directory(models());
+        write_sample_meshes(models(), kModels);
+    }
+
+    [[nodiscard]] std::filesystem::path models() const { return folder_.path() / "models"; }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path() / name; }
+    [[nodiscard]] std::string index_file() const { return path("some.ossuary"); }
+    [[nodiscard]] std::vector<std::filesystem::path> model_files() const {
+        std::vector<std::filesystem::path> files;
+        for (const auto& entry : std::filesystem::directory_iterator(models())) {
+            files.push_back(entry.path());
+        }
+        std::sort(files.begin(), files.end());
+        return files;
+    }
+
+    ProgramResult run(std::vector<std::string> arguments) {
+        return run_ossuary(arguments, folder_.path());
+    }
+    ProgramResult build_index() {
+        return run({"index", "--index", index_file(), "--resolution", "24", "--json", models()});
+    }
+    /// Two classes of three models each, in the order of the files' names.
+    [[nodiscard]] std::string write_classes() const {
+        std::string text = "PSB 1\n2 6\n";
+        const auto files = model_files();
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            if (i % 3 == 0) text += i == 0 ? "\nfirst 0 3\n" : "\nsecond 0 3\n";
+            text += files[i].stem().string() + "\n";
+        }
+        write_file(path("two.cla"), text);
+        return path("two.cla");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(CommandLineTest, HelpAndVersionGoToStdoutWithStatusZero) {
+    for (const char* command : {"index", "search", "compare", "evaluate", "skeleton", "thin",
+                                "models", "show", "remove", "verify", "export"}) {
+        const ProgramResult help = run({command, "--help"});
+        EXPECT_EQ(help.exit_status, 0) << command;
+        EXPECT_THAT(help.out, HasSubstr("--json")) << command;
+        EXPECT_THAT(help.err, IsEmpty()) << command;
+    }
+    EXPECT_THAT(run({"--version"}).out, StartsWith("ossuary "));
+}
+
+TEST_F(CommandLineTest, WrongUsageIsStatusTwoAndSaysWhat) {
+    const ProgramResult nothing = run({});
+    EXPECT_EQ(nothing.exit_status, 2);
+    EXPECT_THAT(nothing.out, IsEmpty());
+    const ProgramResult option = run({"models", "--index", index_file(), "--no-such-option"});
+    EXPECT_EQ(option.exit_status, 2);
+    EXPECT_THAT(option.err, HasSubstr("--no-such-option"));
+    const ProgramResult ranker =
+        run({"compare", model_files()[0], model_files()[1], "--ranker", "best"});
+    EXPECT_EQ(ranker.exit_status, 2);
+    EXPECT_THAT(ranker.err, HasSubstr("best"));
+}
+
+TEST_F(CommandLineTest, IndexCountsWhatItDidAndSkipsItTheNextTime) {
+    const ProgramResult first = build_index();
+    ASSERT_EQ(first.exit_status, 0) << first.err;
+    EXPECT_EQ(first.json().at("indexed"), kModels);
+    const ProgramResult second = build_index();
+    ASSERT_EQ(second.exit_status, 0) << second.err;
+    EXPECT_EQ(second.json().at("indexed"), 0);
+    EXPECT_EQ(second.json().at("unchanged"), kModels);
+}
+
+TEST_F(CommandLineTest, IndexWithABadModelIsStatusThreeAndNamesTheFile) {
+    write_file(models() / "short.off", "OFF\n3 1 0\n0 0 0\n");
+    const ProgramResult result = build_index();
+    EXPECT_EQ(result.exit_status, 3);
+    EXPECT_EQ(result.json().at("indexed"), kModels);
+    EXPECT_EQ(result.json().at("failed"), 1);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("off_truncated"), HasSubstr("short.off, line 4")));
+    const nlohmann::json shown = run({"show", "--index", index_file(), "--json"}).json();
+    ASSERT_EQ(shown.at("failures").size(), 1);
+    EXPECT_THAT(shown.at("failures")[0].at("path").get<std::string>(), HasSubstr("short.off"));
+}
+
+TEST_F(CommandLineTest, WhatIsNoIndexIsStatusFour) {
+    write_file(path("text.ossuary"), "this is not a database, whatever its name may say\n");
+    for (const std::string& file : {path("absent.ossuary"), path("text.ossuary")}) {
+        for (const char* command : {"models", "verify", "show"}) {
+            const ProgramResult result = run({command, "--index", file});
+            EXPECT_EQ(result.exit_status, 4) << command << " " << file;
+            EXPECT_THAT(result.out, IsEmpty());
+            EXPECT_THAT(result.err, HasSubstr("index_")) << command;
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("absent.ossuary")));
+}
+
+TEST_F(CommandLineTest, OtherParametersThanTheIndexHasAreStatusFour) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const ProgramResult other =
+        run({"index", "--index", index_file(), "--resolution", "32", models()});
+    EXPECT_EQ(other.exit_status, 4);
+    EXPECT_THAT(other.err, HasSubstr("index_parameters"));
+}
+
+TEST_F(CommandLineTest, SearchFindsTheModelItselfFirst) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const std::filesystem::path query = model_files()[2];
+    for (const char* ranker : {"hybrid", "skeleton", "chain-code"}) {
+        const nlohmann::json found = run({"search", "--index", index_file(), query, "--ranker",
+                                          ranker, "--limit", "3", "--json"})
+                                         .json();
+        ASSERT_EQ(found.at("hits").size(), 3) << ranker;
+        const nlohmann::json& best = found.at("hits")[0];
+        EXPECT_EQ(best.at("name"), query.stem().string()) << ranker;
+        EXPECT_EQ(best.at("rank"), 1);
+        EXPECT_NEAR(best.at("distance").get<double>(), 0.0, 1e-6) << ranker;
+        for (const char* field : {"id", "class", "parts", "matched_nodes"}) {
+            EXPECT_TRUE(best.contains(field)) << field;
+        }
+        EXPECT_GT(found.at("took_ms").get<double>(), 0.0);
+        EXPECT_FALSE(found.at("stages_ms").empty());
+    }
+}
+
+TEST_F(CommandLineTest, SearchWithABadModelIsStatusOneWithItsCodeAndLine) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    write_file(path("bad.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    const ProgramResult result = run({"search", "--index", index_file(), path("bad.off")});
+    EXPECT_EQ(result.exit_status, 1);
+    EXPECT_THAT(result.out, IsEmpty());
+    EXPECT_THAT(result.err, AllOf(HasSubstr("off_index_out_of_range"), HasSubstr("line 6")));
+}
+
+TEST_F(CommandLineTest, CompareOfAModelWithItselfIsZeroAndSymmetricOtherwise) {
+    const auto files = model_files();
+    const auto distance = [&](std::size_t a, std::size_t b) {
+        return run({"compare", files[a], files[b], "--resolution", "24", "--ranker", "skeleton",
+                    "--json"})
+            .json()
+            .at("distance")
+            .get<double>();
+    };
+    EXPECT_NEAR(distance(1, 1), 0.0, 1e-9);
+    EXPECT_NEAR(distance(0, 1), distance(1, 0), 1e-9);
+    EXPECT_GT(distance(0, 1), 0.0);
+}
+
+TEST_F(CommandLineTest, EvaluatePrintsTheFixedFieldsAndWritesMatrixAndReport) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const ProgramResult result =
+        run({"evaluate", "--index", index_file(), "--classes", write_classes(), "--ranker",
+             "skeleton", "--matrix", path("d.matrix"), "--out", path("report"), "--json"});
+    ASSERT_EQ(result.exit_status, 0) << result.err;
+    const nlohmann::json document = result.json();
+    EXPECT_EQ(document.at("models"), kModels);
+    EXPECT_EQ(document.at("classes"), 2);
+    EXPECT_EQ(document.at("ranker"), "skeleton");
+    EXPECT_EQ(document.at("rerank"), false);
+    for (const char* metric : {"nearest_neighbor", "first_tier", "second_tier", "e_measure", "dcg",
+                               "mean_average_precision"}) {
+        const double value = document.at(metric).get<double>();
+        EXPECT_TRUE(value >= 0.0 && value <= 1.0) << metric << " " << value;
+    }
+    EXPECT_EQ(document.at("per_class").size(), 2);
+    EXPECT_TRUE(document.at("precision_recall")[0].contains("recall"));
+    EXPECT_TRUE(document.at("precision_recall")[0].contains("precision"));
+
+    const std::string matrix = read_file(path("d.matrix"));
+    ASSERT_EQ(matrix.size(), sizeof(float) * kModels * kModels);
+    for (int row = 0; row < kModels; ++row) {
+        float self = 1.0F;
+        std::memcpy(&self, matrix.data() + sizeof(float) * (row * kModels + row), sizeof self);
+        EXPECT_EQ(self, 0.0F) << "model " << row << " against itself";
+    }
+    EXPECT_THAT(read_file(path("report/report.html")), HasSubstr("<svg"));
+}
+
+TEST_F(CommandLineTest, ThinKeepsTopologyAndRefusesWhatIsNoVolume) {
+    // A solid 3x3x9 bar inside a margin of one, as NumPy writes it.
+    std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (11, 5, 5), }";
+    header.resize(128 - 10 - 1, ' ');
+    std::string bytes("\x93NUMPY\x01\x00\x76\x00", 10);
+    bytes += header + "\n";
+    for (int z = 0; z < 11; ++z) {
+        for (int y = 0; y < 5; ++y) {
+            for (int x = 0; x < 5; ++x) {
+                const bool inside = z > 0 && z < 10 && y > 0 && y < 4 && x > 0 && x < 4;
+                bytes.push_back(inside ? '\1' : '\0');
+            }
+        }
+    }
+    write_file(path("bar.npy"), bytes);
+    for (const char* method : {"anchored", "parallel"}) {
+        const nlohmann::json thinned =
+            run({"thin", path("bar.npy"), path("thin.npy"), "--method", method, "--json"}).json();
+        EXPECT_EQ(thinned.at("voxels_in"), 81) << method;
+        EXPECT_GE(thinned.at("voxels_out").get<int>(), 1) << method;
+        EXPECT_LE(thinned.at("voxels_out").get<int>(), 11) << method;
+        EXPECT_EQ(thinned.at("betti_in"), thinned.at("betti_out")) << method;
+    }
+    write_file(path("bad.npy"), "not a volume");
+    const ProgramResult bad = run({"thin", path("bad.npy"), path("out.npy")});
+    EXPECT_EQ(bad.exit_status, 1);
+    EXPECT_FALSE(std::filesystem::exists(path("out.npy")));
+}
+
+TEST_F(CommandLineTest, SkeletonWritesObjAndJsonAndRefusesOtherEndings) {
+    const std::string model = model_files()[0];
+    EXPECT_EQ(run({"skeleton", model, "--out", path("s.obj")}).exit_status, 0);
+    EXPECT_THAT(read_file(path("s.obj")), HasSubstr("v "));
+    const nlohmann::json refined = run({"skeleton", model, "--json"}).json();
+    EXPECT_EQ(refined.at("stage"), "refined");
+    EXPECT_TRUE(refined.contains("nodes"));
+    EXPECT_TRUE(refined.contains("branches"));
+    EXPECT_NE(run({"skeleton", model, "--out", path("s.gif")}).exit_status, 0);
+    EXPECT_FALSE(std::filesystem::exists(path("s.gif")));
+}
+
+TEST_F(CommandLineTest, RemoveTakesAllThatAreNamedOrNothing) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const std::string first = model_files()[0].stem();
+    const auto count = [&] {
+        return run({"models", "--index", index_file(), "--json"}).json().at("total").get<int>();
+    };
+    EXPECT_EQ(run({"remove", "--index", index_file(), first, "no-such-model"}).exit_status, 1);
+    EXPECT_EQ(count(), kModels);
+    EXPECT_EQ(run({"remove", "--index", index_file(), first}).exit_status, 0);
+    EXPECT_EQ(count(), kModels - 1);
+    EXPECT_EQ(run({"verify", "--index", index_file()}).exit_status, 0);
+}
+
+TEST_F(CommandLineTest, ExportPrintsOneJsonDocumentALine) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    std::istringstream lines(run({"export", "--index", index_file()}).out);
+    int documents = 0;
+    for (std::string line; std::getline(lines, line); ++documents) {
+        EXPECT_TRUE(nlohmann::json::parse(line).contains("skeleton"));
+    }
+    EXPECT_EQ(documents, kModels);
+}
+
+}  // namespace
+}  // namespace ossuary::test
