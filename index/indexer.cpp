@@ -336,8 +336,8 @@ Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_t
     if (!model) return model.error();
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;
-    const auto id = store.put(*std::move(model));
-    if (!id) return id;
+    auto id = store.put(*std::move(model));
+    if (!id) return id.error();
     const auto state = store.collection_state();
     if (!state) return state.error();
     if (state->statistics < 0) {

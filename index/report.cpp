@@ -186,7 +186,7 @@ Result<void> write_report(const fs::path& folder, std::span<const Evaluation> ev
         {"precision-recall.svg", precision_recall_svg(evaluations)},
     };
     for (const auto& [name, text] : files) {
-        if (const auto written = write_text(folder / name, text); !written) return written;
+        if (const auto written = write_text(folder / name, text); !written) return written.error();
     }
     return {};
 }

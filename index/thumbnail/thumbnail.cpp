@@ -160,10 +160,12 @@ private:
         origins_.resize(samples);
         hits_.resize(samples);
         const auto column = static_cast<float>(p % std::size_t(options_.size));
-        const auto row = static_cast<float>(p / std::size_t(options_.size));
+        const std::size_t row_index = p / std::size_t(options_.size);
+        const auto row = static_cast<float>(row_index);
         for (int i = 0; i < side * side; ++i) {
+            const int sample_row = i / side;
             const float x = (static_cast<float>(i % side) + 0.5f) / static_cast<float>(side);
-            const float y = (static_cast<float>(i / side) + 0.5f) / static_cast<float>(side);
+            const float y = (static_cast<float>(sample_row) + 0.5f) / static_cast<float>(side);
             origins_[std::size_t(i)] = {column + x, row + y, nearest_};
         }
         scene_.first_hits(origins_, hits_);
