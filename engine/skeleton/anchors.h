@@ -18,7 +18,7 @@ struct Anchors {
 /// Finds the tips of a solid and joins them to its centres. In each component the centre is the
 /// deepest voxel; paths follow the shortest way to it with step cost length / r^2. Tips are taken
 /// while some voxel x has min over path voxels t of geodesic(x, t) - radius_factor * r(t) above
-/// coverage_voxels: the farthest first, at most max_tips in all.
+/// the coverage of the options: the farthest first, at most max_tips in all.
 Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
                      const ThinningOptions& options);
 

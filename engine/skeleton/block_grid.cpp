@@ -5,49 +5,53 @@
 namespace ossuary {
 namespace {
 
+/// Pairs of neighbouring bits to single bits: their union, the 32 results side by side.
+std::uint64_t halve(std::uint64_t bits) {
+    bits = (bits | bits >> 1) & 0x5555555555555555u;
+    bits = (bits | bits >> 1) & 0x3333333333333333u;
+    bits = (bits | bits >> 2) & 0x0f0f0f0f0f0f0f0fu;
+    bits = (bits | bits >> 4) & 0x00ff00ff00ff00ffu;
+    bits = (bits | bits >> 8) & 0x0000ffff0000ffffu;
+    return (bits | bits >> 16) & 0x00000000ffffffffu;
+}
+
 ThinningGrid occupied_blocks(const BitVolume& solid, int edge) {
-    if (edge == 1) return ThinningGrid(solid);
-    const Vec3i size = (solid.size().array() + (edge - 1)) / edge;
-    BitVolume blocks(size);
+    BitVolume blocks((solid.size().array() + (edge - 1)) / edge);
+    const int per_word = 64 / edge;
     for (int z = 0; z < solid.size().z(); ++z) {
         for (int y = 0; y < solid.size().y(); ++y) {
             const auto row = solid.row(y, z);
-            const auto out = blocks.row(y / 2, z / 2);
+            const auto out = blocks.row(y / edge, z / edge);
             for (std::size_t w = 0; w < row.size(); ++w) {
-                // Pairs of bits to single bits: or the pair, then close the gaps.
-                std::uint64_t bits = (row[w] | row[w] >> 1) & 0x5555555555555555u;
-                bits = (bits | bits >> 1) & 0x3333333333333333u;
-                bits = (bits | bits >> 2) & 0x0f0f0f0f0f0f0f0fu;
-                bits = (bits | bits >> 4) & 0x00ff00ff00ff00ffu;
-                bits = (bits | bits >> 8) & 0x0000ffff0000ffffu;
-                bits = (bits | bits >> 16) & 0x00000000ffffffffu;
-                out[w / 2] |= bits << (w % 2 * 32);
+                std::uint64_t bits = row[w];
+                for (int width = 1; width < edge; width *= 2) bits = halve(bits);
+                const std::size_t first = w * static_cast<std::size_t>(per_word);
+                out[first / 64] |= bits << first % 64;
             }
         }
     }
     return ThinningGrid(blocks);
 }
 
-/// For each of the 256 fillings of a 2x2x2 block the neighbours whose side it reaches: bit
-/// dz * 4 + dy * 2 + dx of a filling is the voxel at that place.
-constexpr std::array<Neighborhood, 256> kReached = [] {
-    std::array<Neighborhood, 256> reached{};
-    const auto on_side = [](int place, int offset) {
-        return offset == 0 || (offset > 0) == (place == 1);
-    };
-    for (std::size_t filling = 0; filling < 256; ++filling) {
-        for (int voxel = 0; voxel < 8; ++voxel) {
-            if ((filling >> voxel & 1u) == 0) continue;
-            for (int bit = 0; bit < 27; ++bit) {
-                const NeighborOffset o = neighbor_offset(bit);
-                if (bit != kCentreBit && on_side(voxel & 1, o.dx) &&
-                    on_side(voxel >> 1 & 1, o.dy) && on_side(voxel >> 2, o.dz)) {
-                    reached[filling] |= Neighborhood{1} << bit;
-                }
-            }
+/// The offsets along one axis that a voxel at `place` of 0 to edge - 1 reaches beyond its block: a
+/// set of 0, -1 (bit 0 of 3) and 1 (bit 2).
+unsigned reach_of(int place, int edge) {
+    return 2u | (place == 0 ? 1u : 0u) | (place == edge - 1 ? 4u : 0u);
+}
+
+/// The neighbours at all offsets of which each coordinate is in its set.
+constexpr std::array<Neighborhood, 512> kProducts = [] {
+    std::array<Neighborhood, 512> products{};
+    for (unsigned sets = 0; sets < 512; ++sets) {
+        for (int bit = 0; bit < 27; ++bit) {
+            const NeighborOffset o = neighbor_offset(bit);
+            const bool inside = (sets >> (o.dx + 1) & 1u) != 0 &&
+                                (sets >> (3 + o.dy + 1) & 1u) != 0 &&
+                                (sets >> (6 + o.dz + 1) & 1u) != 0;
+            if (inside && bit != kCentreBit) products[sets] |= Neighborhood{1} << bit;
         }
     }
-    return reached;
+    return products;
 }();
 
 }  // namespace
@@ -57,17 +61,32 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
       occupied_(occupied_blocks(solid, edge)),
       links_(occupied_, 0),
       squared_(occupied_, 0) {
-    VoxelMap<Neighborhood> reached(occupied_, k26Neighbors);
-    occupied_.for_each([&](VoxelIndex block) {
-        std::size_t filling = 0;
-        std::uint32_t deepest = 0;
-        for_each_voxel_of(solid, block, [&](const Vec3i& v) {
-            filling |= std::size_t{1} << ((v.z() & 1) * 4 + (v.y() & 1) * 2 + (v.x() & 1));
-            deepest = std::max(deepest, distance.squared(v));
-        });
-        squared_[block] = deepest;
-        if (edge_ == 2) reached[block] = kReached[filling];
+    VoxelMap<Neighborhood> reached(occupied_, 0);
+    for (int z = 0; z < solid.size().z(); ++z) {
+        for (int y = 0; y < solid.size().y(); ++y) add_row(solid, distance, y, z, reached);
+    }
+    link(reached);
+}
+
+void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
+                        VoxelMap<Neighborhood>& reached) {
+    const unsigned sides = reach_of(y % edge_, edge_) << 3 | reach_of(z % edge_, edge_) << 6;
+    const std::uint32_t* depths = distance.values().data() + distance.index({0, y, z});
+    for_each_run(solid.row(y, z), solid.size().x(), false, [&](int begin, int end) {
+        VoxelIndex block = shape().index(begin / edge_, y / edge_, z / edge_);
+        for (int x = begin; x < end; ++block) {
+            const int block_end = std::min(end, (x / edge_ + 1) * edge_);
+            const unsigned along =
+                reach_of(x % edge_, edge_) | reach_of((block_end - 1) % edge_, edge_);
+            reached[block] |= kProducts[sides | along];
+            squared_[block] =
+                std::max(squared_[block], *std::max_element(depths + x, depths + block_end));
+            x = block_end;
+        }
     });
+}
+
+void BlockGrid::link(const VoxelMap<Neighborhood>& reached) {
     const auto steps = shape().neighbor_steps();
     occupied_.for_each([&](VoxelIndex block) {
         Neighborhood linked = 0;

@@ -6,13 +6,14 @@
 
 namespace ossuary {
 
-/// A solid at half its resolution, its topology of contacts kept: blocks of 2x2x2 voxels (or single
-/// voxels) that hold some of the solid, with links between two blocks where a voxel of one is a
-/// 26-neighbour of a voxel of the other. The voxels of a block are all neighbours of each other, so
-/// a chain of linked blocks always holds a chain of voxels.
+/// A solid at a fraction of its resolution: blocks of edge^3 voxels that hold some of it, with
+/// links between two blocks where a voxel of one is a 26-neighbour of a voxel of the other. Up to
+/// edge 2 the voxels of a block are all neighbours of each other, so that a chain of linked blocks
+/// always holds a chain of voxels; with larger blocks two parts of the solid may share one
+/// unjoined.
 class BlockGrid {
 public:
-    /// @param edge  1 or 2 voxels
+    /// @param edge  1, 2, 4 or 8 voxels
     BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge);
 
     [[nodiscard]] int edge() const { return edge_; }
@@ -33,14 +34,24 @@ public:
         const Vec3i end = (first.array() + edge_).min(solid.size().array()).matrix();
         for (int z = first.z(); z < end.z(); ++z) {
             for (int y = first.y(); y < end.y(); ++y) {
-                for (int x = first.x(); x < end.x(); ++x) {
-                    if (solid.test(x, y, z)) visit(Vec3i(x, y, z));
+                for (std::uint64_t bits = bits_of_row(solid, first.x(), y, z); bits != 0;
+                     bits &= bits - 1) {
+                    visit(Vec3i(first.x() + std::countr_zero(bits), y, z));
                 }
             }
         }
     }
 
 private:
+    /// The voxels of a block in one of its rows; `x` is the block's first.
+    [[nodiscard]] std::uint64_t bits_of_row(const BitVolume& solid, int x, int y, int z) const {
+        const auto column = static_cast<std::size_t>(x);
+        return solid.row(y, z)[column / 64] >> column % 64 & ((std::uint64_t{1} << edge_) - 1);
+    }
+    void add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
+                 VoxelMap<Neighborhood>& reached);
+    void link(const VoxelMap<Neighborhood>& reached);
+
     int edge_;
     ThinningGrid occupied_;
     VoxelMap<Neighborhood> links_;

@@ -33,8 +33,13 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
     ShortestPaths paths{VoxelMap<float>(set, kUnreached),
                         VoxelMap<std::uint8_t>(set, std::uint8_t{kCentreBit})};
     const auto steps = set.shape().neighbor_steps();
+    VoxelMap<float> weights(set, 0.0f);  // half of 1 / r^2
     std::uint32_t largest = 1;
-    set.for_each([&](VoxelIndex v) { largest = std::max(largest, squared_radius(v)); });
+    set.for_each([&](VoxelIndex v) {
+        const std::uint32_t squared = squared_radius(v);
+        largest = std::max(largest, squared);
+        weights[v] = 0.5f / static_cast<float>(squared);
+    });
     // Levels of the smallest step: whatever is served is final.
     const auto levels_per_cost = static_cast<float>(largest);
     BucketQueue queue(static_cast<std::size_t>(1.7321f * levels_per_cost) + 4);
@@ -49,12 +54,11 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
         if (!open.test(v)) continue;
         open.reset(v);
         const float here = paths.cost[v];
-        const float weight = 0.5f / static_cast<float>(squared_radius(v));
+        const float weight = weights[v];
         for_each_bit(links(v) & open.neighborhood(v), [&](int bit) {
             const auto b = static_cast<std::size_t>(bit);
             const VoxelIndex n = moved(v, steps[b]);
-            const float there =
-                here + kNeighborLength[b] * (weight + 0.5f / static_cast<float>(squared_radius(n)));
+            const float there = here + kNeighborLength[b] * (weight + weights[n]);
             if (there < paths.cost[n]) {
                 paths.cost[n] = there;
                 paths.step[n] = static_cast<std::uint8_t>(opposite_bit(bit));

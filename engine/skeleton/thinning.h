@@ -18,9 +18,11 @@ Result<ThinningMethod> parse_thinning_method(std::string_view name);
 
 struct ThinningOptions {
     ThinningMethod method = ThinningMethod::kAnchored;
-    int max_tips = 40;             ///< anchored: at most this many tips
-    double coverage_voxels = 2.5;  ///< anchored: stop when every voxel is covered this well
-    double radius_factor = 1.8;    ///< anchored: how much of a tip's radius counts as covered
+    int max_tips = 40;              ///< anchored: at most this many tips
+    double coverage_share = 0.026;  ///< anchored: stop when every voxel is covered up to this share
+                                    ///< of the longest side, 2.5 voxels at resolution 96
+    double coverage_voxels = 2.5;   ///< anchored: or up to this, whichever is more
+    double radius_factor = 1.8;     ///< anchored: how much of a tip's radius counts as covered
 };
 
 /// The curve skeleton of `solid` as voxels: a subset of it with the same components, tunnels and

@@ -9,10 +9,11 @@ namespace {
 
 class TipSearch {
 public:
-    TipSearch(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres,
+    TipSearch(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
               const ThinningOptions& options)
         : blocks_(blocks),
           options_(options),
+          enough_(static_cast<float>(coverage / blocks.edge())),
           steps_(blocks.shape().neighbor_steps()),
           open_(blocks.occupied()),
           coverage_(blocks.occupied(), kUnreached),
@@ -72,7 +73,7 @@ private:
             open_.reset(b);
             settled_.push_back(b);
             const float here = coverage_[b];
-            for_each_bit(blocks_.links(b), [&](int bit) {
+            for_each_bit(blocks_.links(b) & open_.neighborhood(b), [&](int bit) {
                 const auto i = static_cast<std::size_t>(bit);
                 const VoxelIndex n = moved(b, steps_[i]);
                 const float there = here + kNeighborLength[i];
@@ -90,8 +91,7 @@ private:
         blocks_.occupied().for_each([&](VoxelIndex b) { file(b); });
     }
     void file(VoxelIndex b) {
-        const float excess =
-            coverage_[b] - static_cast<float>(options_.coverage_voxels / blocks_.edge());
+        const float excess = coverage_[b] - enough_;
         if (excess <= 0.0f) return;
         const auto level = static_cast<std::size_t>(excess);
         if (level >= uncovered_.size()) uncovered_.resize(level + 1);
@@ -125,6 +125,7 @@ private:
 
     const BlockGrid& blocks_;
     const ThinningOptions& options_;
+    float enough_;  ///< the coverage asked for, in blocks
     std::array<std::int32_t, 27> steps_;
     ThinningGrid open_;  ///< what the running search may still visit
     VoxelMap<float> coverage_;
@@ -136,9 +137,9 @@ private:
 
 }  // namespace
 
-Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres,
+Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
                const ThinningOptions& options) {
-    return TipSearch(blocks, centres, options).run();
+    return TipSearch(blocks, centres, coverage, options).run();
 }
 
 }  // namespace ossuary

@@ -15,7 +15,7 @@ struct Tips {
 /// geodesic(x, t) - radius_factor * r(t) above coverage_voxels: the farthest first, at most
 /// max_tips in all.
 /// @param centres  one block for each component
-Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres,
+Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
                const ThinningOptions& options);
 
 }  // namespace ossuary
