@@ -125,12 +125,12 @@ struct PrecisionRecallSum {
     }
 
     [[nodiscard]] std::vector<PrecisionRecallPoint> mean() const {
-        std::vector<PrecisionRecallPoint> points;
-        for (std::size_t level = 0; level < kRecallLevels; ++level) {
-            const double recall =
-                static_cast<double>(level + 1) / static_cast<double>(kRecallLevels);
-            const double count = static_cast<double>(std::max<std::size_t>(queries[level], 1));
-            points.push_back({recall, precision[level] / count});
+        std::vector<PrecisionRecallPoint> points(kRecallLevels);
+        double known = 0.0;
+        for (std::size_t level = kRecallLevels; level-- > 0;) {
+            if (queries[level] > 0) known = precision[level] / static_cast<double>(queries[level]);
+            points[level] = {static_cast<double>(level + 1) / static_cast<double>(kRecallLevels),
+                             known};
         }
         return points;
     }

@@ -45,8 +45,8 @@ struct RetrievalReport {
     RetrievalMetrics macro_mean;  ///< over classes, each the mean of its queries
     /// 20 points, recall .05 … 1, averaged over queries. A query of a class with m others knows the
     /// precision at recall 1/m, 2/m … 1; between these it is interpolated linearly, and below 1/m
-    /// the query takes no part in the mean, as with the Princeton tool psbPlot. A recall that no
-    /// query reaches has precision 0.
+    /// the query takes no part in the mean, as with the Princeton tool psbPlot. Below the
+    /// lowest recall that any query knows the curve is level.
     std::vector<PrecisionRecallPoint> precision_recall;
     std::vector<ClassMetrics> per_class;  ///< in order of first appearance, `classes` of them
     /// confusion[i * classes + j]: share of queries of class i whose nearest neighbour is of class

@@ -44,15 +44,6 @@ Neighborhood component_of(Neighborhood seed, Neighborhood set, Dilate dilate) {
     }
 }
 
-/// Whether background_components is 1, with one growth instead of one for each component.
-bool has_one_background_component(Neighborhood object) {
-    const Neighborhood background = ~object & k18Neighbors;
-    const Neighborhood faces = background & kFaceNeighbors;
-    if (faces == 0) return false;
-    const Neighborhood first = component_of(faces & (~faces + 1), background, dilate_6);
-    return (faces & ~first) == 0;
-}
-
 }  // namespace
 
 int object_components(Neighborhood object) {
@@ -85,36 +76,28 @@ SimplePointTest::SimplePointTest() {
             if (plane >> bit % 9 & 1u) planes_[bit / 9][plane] |= 1u << index;
         }
     }
-    // Neighbourhoods and touched cells of the two halves of an 18-bit index, put together below.
-    std::array<std::array<Neighborhood, 512>, 2> objects{};
-    std::array<std::array<Neighborhood, 512>, 2> cells{};
-    for (std::size_t half = 0; half < 2; ++half) {
-        for (std::uint32_t bits = 1; bits < 512; ++bits) {
-            const auto low = static_cast<std::size_t>(std::countr_zero(bits));
-            const std::size_t bit = kTableOrder[8 + half * 9 + low];
-            const std::uint32_t others = bits & (bits - 1);
-            objects[half][bits] = objects[half][others] | Neighborhood{1} << bit;
-            cells[half][bits] = cells[half][others] | kTouchedCells[bit];
-        }
+}
+
+std::uint32_t SimplePointTest::make_entry(std::uint32_t faces_and_edges) const {
+    Neighborhood object = 0;
+    Neighborhood touched = 0;
+    for (std::uint32_t rest = faces_and_edges; rest != 0; rest &= rest - 1) {
+        const std::size_t bit = kTableOrder[8 + static_cast<std::size_t>(std::countr_zero(rest))];
+        object |= Neighborhood{1} << bit;
+        touched |= kTouchedCells[bit];
     }
-    for (std::uint32_t index = 0; index < table_.size(); ++index) {
-        const Neighborhood object = objects[0][index & 511u] | objects[1][index >> 9];
-        Entry& entry = table_[index];
-        if (!has_one_background_component(object)) {
-            entry = {0, kNever};
-            continue;
-        }
-        const Neighborhood touched = cells[0][index & 511u] | cells[1][index >> 9];
+    std::uint32_t entry = kNever << 8;
+    if (background_components(object) == 1) {
         const int faces = std::popcount(touched & kFaceNeighbors);
         const int edges = std::popcount(touched & kEdgeNeighbors);
-        const int required = 1 + edges - faces;
-        entry.required = required > 8 ? kNever - 1 : static_cast<std::uint8_t>(required);
+        const auto required = static_cast<std::uint32_t>(1 + edges - faces);
+        entry = (required > 8 ? kNever - 1 : required) << 8;
         for (std::uint32_t corner = 0; corner < 8; ++corner) {
-            if (touched >> kTableOrder[corner] & 1u) {
-                entry.covered = static_cast<std::uint8_t>(entry.covered | 1u << corner);
-            }
+            if (touched >> kTableOrder[corner] & 1u) entry |= 1u << corner;
         }
     }
+    table_[faces_and_edges].store(static_cast<std::uint16_t>(entry), std::memory_order_relaxed);
+    return entry;
 }
 
 const SimplePointTest& SimplePointTest::shared() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include "engine/skeleton/neighborhood.h"
 
 namespace ossuary {
@@ -32,33 +34,40 @@ public:
     SimplePointTest();
 
     [[nodiscard]] bool operator()(Neighborhood object) const {
-        const std::uint32_t index =
-            planes_[0][object & 511u] | planes_[1][object >> 9 & 511u] | planes_[2][object >> 18];
-        const Entry entry = table_[index >> 8];
-        return entry.required ==
-               std::popcount(static_cast<std::uint8_t>(entry.covered | (index & 255u)));
+        const std::uint32_t index = index_of(object);
+        const std::uint32_t entry = entry_at(index >> 8);
+        return entry >> 8 ==
+               static_cast<std::uint32_t>(std::popcount((entry | index) & std::uint32_t{255}));
     }
 
     /// Whether T6 = 1.
     [[nodiscard]] bool one_background_component(Neighborhood object) const {
-        const std::uint32_t index =
-            planes_[0][object & 511u] | planes_[1][object >> 9 & 511u] | planes_[2][object >> 18];
-        return table_[index >> 8].required != kNever;
+        return entry_at(index_of(object) >> 8) >> 8 != kNever;
     }
 
-    /// The one instance that everybody shares, filled on first use.
+    /// The one instance that everybody shares.
     static const SimplePointTest& shared();
 
 private:
-    struct Entry {
-        std::uint8_t covered = 0;   ///< corners of the centre that faces and edges already touch
-        std::uint8_t required = 0;  ///< how many corners L must have for V - E + F = 1
-    };
-    static constexpr std::uint8_t kNever = 255;
+    static constexpr std::uint32_t kNever = 255;
+
+    [[nodiscard]] std::uint32_t index_of(Neighborhood object) const {
+        return planes_[0][object & 511u] | planes_[1][object >> 9 & 511u] |
+               planes_[2][object >> 18];
+    }
+    [[nodiscard]] std::uint32_t entry_at(std::uint32_t faces_and_edges) const {
+        const std::uint32_t known = table_[faces_and_edges].load(std::memory_order_relaxed);
+        return known != 0 ? known : make_entry(faces_and_edges);
+    }
+    std::uint32_t make_entry(std::uint32_t faces_and_edges) const;
 
     /// Where the bits of each plane of nine go: 18 face and edge bits above 8 corner bits.
     std::array<std::array<std::uint32_t, 512>, 3> planes_{};
-    std::array<Entry, std::size_t{1} << 18> table_{};
+    /// By face and edge bits: in the low byte the corners of the centre that faces and edges
+    /// already touch, above it how many corners L must have for V - E + F = 1, or kNever. An entry
+    /// is made when it is first needed (filling all takes 6 ms, a thinning needs a few thousand)
+    /// and is never 0; whoever makes it makes the same.
+    mutable std::array<std::atomic<std::uint16_t>, std::size_t{1} << 18> table_{};
 };
 
 }  // namespace ossuary

@@ -92,7 +92,9 @@ TEST(RetrievalMetrics, InterpolatePrecisionBetweenTheRecallsThatAQueryKnows) {
     EXPECT_DOUBLE_EQ(report.precision_recall.front().recall, 0.05);
     EXPECT_DOUBLE_EQ(report.precision_recall.back().recall, 1.0);
     // Below 1/2 no query knows a precision.
-    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(report.precision_recall[i].precision, 0.0);
+    for (std::size_t i = 0; i < 9; ++i) {
+        EXPECT_EQ(report.precision_recall[i].precision, report.precision_recall[9].precision);
+    }
     // At 1/2 class a alone: 1/1, 1/3, 1/1.
     EXPECT_NEAR(report.precision_recall[9].precision, (1.0 + 1.0 / 3.0 + 1.0) / 3.0, 1e-12);
     // At 3/4 halfway between the first and the second precision of each: (1 + 2/3) / 2,

@@ -1,0 +1,100 @@
+// Our side of the comparisons in this folder, on one thread: one JSON document a line on stdout.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/core/stopwatch.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/skeleton/skeletonize.h"
+#include "engine/voxel/npy.h"
+#include "engine/voxel/voxelize.h"
+
+namespace {
+
+using namespace ossuary;
+
+constexpr const char* kUsage =
+    "usage: ossuary_peer_ours voxelize RESOLUTION FOLDER MODEL.off…   solids as FOLDER/NAME.npy\n"
+    "       ossuary_peer_ours skeletonize MODEL.off…                  mesh to refined skeleton\n";
+
+constexpr int kRuns = 5;
+
+/// Median milliseconds of kRuns runs.
+template <typename Work>
+double median_ms(Work&& work) {
+    std::vector<double> times;
+    for (int run = 0; run < kRuns; ++run) {
+        Stopwatch watch;
+        work();
+        times.push_back(watch.lap_ms());
+    }
+    std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
+    return times[kRuns / 2];
+}
+
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+nlohmann::json voxelize_one(const std::string& path, int resolution, const std::string& folder) {
+    const Result<ReadMeshResult> read = read_mesh(path);
+    if (!read) throw std::runtime_error(read.error().message);
+    VoxelizeOptions options;
+    options.resolution = resolution;
+    Result<VoxelSolid> solid = voxelize(read->mesh, options);
+    if (!solid) throw std::runtime_error(solid.error().message);
+    const double ms = median_ms([&] { solid = voxelize(read->mesh, options); });
+    const std::string out = folder + "/" + stem_of(path) + ".npy";
+    if (const auto written = write_npy(solid->volume, out); !written) {
+        throw std::runtime_error(written.error().message);
+    }
+    const WorldFromGrid& grid = solid->world_from_grid;
+    return {{"model", stem_of(path)},
+            {"solid", out},
+            {"voxels", solid->volume.count()},
+            {"method", solid->method},
+            {"origin", {grid.origin.x(), grid.origin.y(), grid.origin.z()}},
+            {"voxel_size", grid.voxel_size},
+            {"ms", ms}};
+}
+
+nlohmann::json skeletonize_one(const std::string& path) {
+    const Result<ReadMeshResult> read = read_mesh(path);
+    if (!read) throw std::runtime_error(read.error().message);
+    const double ms = median_ms([&] {
+        if (const auto skeleton = skeletonize(read->mesh); !skeleton) {
+            throw std::runtime_error(skeleton.error().message);
+        }
+    });
+    return {{"model", stem_of(path)}, {"faces", read->mesh.triangles.size()}, {"ms", ms}};
+}
+
+int run(const std::vector<std::string>& words) {
+    if (words.size() >= 4 && words[0] == "voxelize") {
+        for (std::size_t i = 3; i < words.size(); ++i) {
+            std::cout << voxelize_one(words[i], std::stoi(words[1]), words[2]).dump() << std::endl;
+        }
+        return 0;
+    }
+    if (words.size() >= 2 && words[0] == "skeletonize") {
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            std::cout << skeletonize_one(words[i]).dump() << std::endl;
+        }
+        return 0;
+    }
+    std::cerr << kUsage;
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        std::cerr << "ossuary_peer_ours: " << error.what() << '\n';
+        return 1;
+    }
+}

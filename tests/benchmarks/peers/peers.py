@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+"""Compares stages of the skeleton engine with the fastest known libraries for the same work.
+
+Same input, same run, one thread each side, medians of five runs (one run of CGAL, whose times are
+seconds). Writes a CSV a comparison into --out. See README.md for the packages that this needs.
+"""
+
+import argparse
+import csv
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
+RUNS = 5
+# One model of each of the thesis' ten classes.
+TEN_MODELS = (5, 25, 61, 125, 165, 185, 225, 281, 325, 393)
+RESOLUTIONS = (128, 256)
+
+
+def lines_of(command):
+    """The JSON documents that a program prints, one a line."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1", TBB_NUM_THREADS="1")
+    done = subprocess.run(command, check=True, capture_output=True, text=True, env=environment)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def document_of(command):
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+def median_ms(work):
+    times = []
+    for _ in range(RUNS):
+        begin = time.perf_counter()
+        result = work()
+        times.append((time.perf_counter() - begin) * 1e3)
+    return statistics.median(times), result
+
+
+def write_csv(path, rows):
+    with open(path, "w", newline="", encoding="utf-8") as out:
+        writer = csv.DictWriter(out, fieldnames=list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+    print(f"{path}: {len(rows)} rows")
+
+
+def report_ratios(rows, key="ratio"):
+    ratios = [row[key] for row in rows]
+    print(f"  ratio: median {statistics.median(ratios):.1f}, least {min(ratios):.1f}, "
+          f"greatest {max(ratios):.1f}")
+
+
+def betti_text(betti):
+    return f"{betti['components']} {betti['tunnels']} {betti['cavities']}"
+
+
+def compare_thinning(programs, models, scratch, out):
+    """`ossuary thin` against scikit-image's skeletonize_3d."""
+    import numpy
+    from skimage.morphology import skeletonize_3d
+
+    rows = []
+    for resolution in RESOLUTIONS:
+        folder = scratch / f"solids-{resolution}"
+        folder.mkdir(exist_ok=True)
+        for solid in lines_of([programs.ours, "voxelize", str(resolution), folder, *models]):
+            volume = numpy.load(solid["solid"])
+            skimage_ms, theirs = median_ms(lambda: skeletonize_3d(volume))
+            theirs_path = scratch / "theirs.npy"
+            numpy.save(theirs_path, (theirs > 0).astype(numpy.uint8))
+            betti_theirs = document_of(
+                [programs.ossuary, "thin", theirs_path, scratch / "o.npy", "--json"])["betti_in"]
+            row = {"model": solid["model"], "resolution": resolution, "voxels": solid["voxels"],
+                   "skimage_ms": round(skimage_ms, 1), "skimage_betti": betti_text(betti_theirs)}
+            for method in ("anchored", "parallel"):
+                runs = [document_of([programs.ossuary, "thin", solid["solid"], scratch / "o.npy",
+                                     "--method", method, "--json"]) for _ in range(RUNS)]
+                took = statistics.median(run["took_ms"] for run in runs)
+                row[f"{method}_ms"] = round(took, 2)
+                row[f"{method}_ratio"] = round(skimage_ms / took, 1)
+                row[f"{method}_betti"] = betti_text(runs[0]["betti_out"])
+            row["betti_of_solid"] = betti_text(runs[0]["betti_in"])
+            rows.append(row)
+        for method in ("anchored", "parallel"):
+            print(f"thinning at {resolution}, {method}")
+            report_ratios([r for r in rows if r["resolution"] == resolution], f"{method}_ratio")
+    write_csv(out / "thinning.csv", rows)
+
+
+def vtk_solid(polygons, origin, spacing, extent):
+    """The mesh's inside by VTK's stencil, as a function that runs it anew each time."""
+    import vtk
+
+    # A stencil samples at the grid's points; ours at the middle of voxels.
+    origin = [coordinate + spacing / 2 for coordinate in origin]
+
+    def run():
+        stencil = vtk.vtkPolyDataToImageStencil()
+        stencil.SetInputData(polygons)
+        stencil.SetOutputOrigin(*origin)
+        stencil.SetOutputSpacing(spacing, spacing, spacing)
+        stencil.SetOutputWholeExtent(*extent)
+        stencil.Update()
+        return stencil.GetOutput()
+
+    return run
+
+
+def compare_voxelization(programs, models, scratch, out):
+    """Solid voxelization against VTK's vtkPolyDataToImageStencil, on the same grid."""
+    import numpy
+    import vtk
+    from vtk.util.numpy_support import vtk_to_numpy
+
+    vtk.vtkSMPTools.Initialize(1)
+    rows = []
+    for resolution in RESOLUTIONS:
+        folder = scratch / f"solids-{resolution}"
+        folder.mkdir(exist_ok=True)
+        solids = lines_of([programs.ours, "voxelize", str(resolution), folder, *models])
+        for path, solid in zip(models, solids):
+            ours = numpy.load(solid["solid"]) > 0
+            extent = [0, ours.shape[0] - 1, 0, ours.shape[1] - 1, 0, ours.shape[2] - 1]
+            work = vtk_solid(polygons_of(path), solid["origin"], solid["voxel_size"], extent)
+            vtk_ms, stencil = median_ms(work)
+            image = vtk.vtkImageStencilToImage()
+            image.SetInputData(stencil)
+            image.SetInsideValue(1)
+            image.SetOutsideValue(0)
+            image.Update()
+            theirs = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars())
+            theirs = theirs.reshape(ours.shape[::-1]).transpose(2, 1, 0) > 0
+            differing = int((ours != theirs).sum())
+            rows.append({"model": solid["model"], "resolution": resolution,
+                         "voxels": solid["voxels"], "method": solid["method"],
+                         "vtk_ms": round(vtk_ms, 2), "ours_ms": round(solid["ms"], 2),
+                         "ratio": round(vtk_ms / solid["ms"], 1),
+                         "differing_voxels": differing})
+        print(f"voxelization at {resolution}")
+        report_ratios([r for r in rows if r["resolution"] == resolution])
+    write_csv(out / "voxelization.csv", rows)
+
+
+def polygons_of(path):
+    """An OFF file of triangles as vtkPolyData."""
+    import vtk
+
+    with open(path, encoding="ascii") as text:
+        words = text.read().split()
+    points_count, faces_count = int(words[1]), int(words[2])
+    points, polygons = vtk.vtkPoints(), vtk.vtkCellArray()
+    at = 4
+    for _ in range(points_count):
+        points.InsertNextPoint(*(float(w) for w in words[at:at + 3]))
+        at += 3
+    for _ in range(faces_count):
+        corners = int(words[at])
+        polygons.InsertNextCell(corners)
+        for corner in words[at + 1:at + 1 + corners]:
+            polygons.InsertCellPoint(int(corner))
+        at += 1 + corners
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    data.SetPolys(polygons)
+    return data
+
+
+def compare_skeletons(programs, models, scratch, out):
+    """Mesh to refined skeleton against CGAL's mean curvature flow skeletonization."""
+    peer = scratch / "cgal_skeleton"
+    subprocess.run(["g++", "-std=c++17", "-O3", "-DNDEBUG", "-isystem", "/usr/include/eigen3",
+                    "-DCGAL_EIGEN3_ENABLED", HERE / "cgal_skeleton.cpp", "-o", peer,
+                    "-lgmp", "-lmpfr"], check=True)
+    ours = {line["model"]: line for line in lines_of([programs.ours, "skeletonize", *models])}
+    rows = []
+    for line in lines_of([peer, *models]):
+        if "refused" in line:
+            continue
+        mine = ours[line["model"]]
+        rows.append({"model": line["model"], "faces": mine["faces"],
+                     "cgal_ms": round(line["ms"], 1), "ours_ms": round(mine["ms"], 2),
+                     "ratio": round(line["ms"] / mine["ms"], 1)})
+    print(f"skeletons of {len(rows)} closed models of {len(models)}")
+    cgal_mean = statistics.mean(row["cgal_ms"] for row in rows)
+    ours_mean = statistics.mean(row["ours_ms"] for row in rows)
+    print(f"  means {cgal_mean:.0f} and {ours_mean:.1f} ms: {cgal_mean / ours_mean:.0f} times")
+    report_ratios(rows)
+    write_csv(out / "skeletons.csv", rows)
+
+
+def models_of_benchmark(collection, numbers):
+    return [collection / "off" / f"{number}.off" for number in numbers]
+
+
+def five_of_each_class():
+    """Numbers 1 to 400 in classes of twenty, without the one class that is not distributed."""
+    return [first + step for first in range(1, 400, 20) if first != 261
+            for step in (0, 4, 8, 12, 16)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("work", nargs="+", choices=("thinning", "voxelization", "skeletons"))
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release/bin")
+    parser.add_argument("--data", type=pathlib.Path,
+                        default=os.environ.get("OSSUARY_DATA", "/tmp/ossuary-data"))
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("."))
+    programs = parser.parse_args()
+    programs.ossuary = programs.build / "ossuary"
+    programs.ours = programs.build / "ossuary_peer_ours"
+    collection = programs.data / "princeton-segmentation"
+    if not collection.is_dir():
+        sys.exit(f"{collection}: not found; name the benchmark's folder with --data")
+    programs.out.mkdir(parents=True, exist_ok=True)
+    ten = models_of_benchmark(collection, TEN_MODELS)
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        if "thinning" in programs.work:
+            compare_thinning(programs, ten, scratch, programs.out)
+        if "voxelization" in programs.work:
+            compare_voxelization(programs, ten, scratch, programs.out)
+        if "skeletons" in programs.work:
+            compare_skeletons(programs, models_of_benchmark(collection, five_of_each_class()),
+                              scratch, programs.out)
+
+
+if __name__ == "__main__":
+    main()
