@@ -31,6 +31,8 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& op
     // The solid's own boundary, not the mesh's triangles: soups have walls inside and twice.
     const double scale = std::sqrt(surface.total_area);
     description.descriptor.skeleton = describe_skeleton(skeleton.refined, scale);
+    description.descriptor.skeleton.solid_volume = static_cast<float>(
+        static_cast<double>(skeleton.solid.volume.count()) / (scale * scale * scale));
     lap("describe_skeleton");
     if (stop.stop_requested()) return cancelled();
 

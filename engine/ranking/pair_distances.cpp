@@ -16,7 +16,7 @@ ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescr
     for (std::size_t c = 1; c < kComponentCount; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;
         values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
-                                           kGlobalDescriptorKinds[c - 1].metric)
+                                           kGlobalDescriptorKinds[c - 1])
                          : std::numeric_limits<double>::infinity();
     }
     return values;

@@ -34,7 +34,7 @@ TEST(Signature, IsOfUnitLengthEvenWithoutASkeleton) {
     EXPECT_NEAR(norm(signature), 1.0, 1e-5);
 
     std::vector<GlobalDescriptor> nothing = globals;
-    for (auto& global : nothing) global.values.assign(global.values.size(), 0.0F);
+    for (auto& global : nothing) global.values.assign(global.values.size(), 0);
     EXPECT_NEAR(norm(preselection_signature({}, nothing)), 1.0, 1e-5);
 }
 

@@ -213,7 +213,7 @@ TEST_F(Ranker, CopesWithADegenerateModel) {
     // A model without a skeleton and with globals of nothing, as a point would have.
     ModelDescriptor empty;
     for (const auto& global : models().front().globals) {
-        empty.globals.push_back({global.name, std::vector<float>(global.values.size(), 0.0F)});
+        empty.globals.push_back({global.name, std::vector<std::uint8_t>(global.values.size(), 0)});
     }
     empty.signature.assign(models().front().signature.size(), 0.0F);
     std::vector<const ModelDescriptor*> all = collection();
