@@ -19,7 +19,8 @@ constexpr int kGeodesicSources = 16;
 }  // namespace
 
 std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
-                                                 const BitVolume& solid) {
+                                                 const BitVolume& solid,
+                                                 const SkeletonDescriptor& skeleton) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
@@ -27,6 +28,7 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
         assert(values.size() == kind.size);
         globals.push_back({std::string(kind.name), std::move(values)});
     };
+    add(skeleton_pairs(skeleton));
     add(view_spectra(surface));
     add(surface_pairs(graph));
     add(local_volume(graph, average_geodesic_distances(graph, kGeodesicSources), solid));
@@ -35,11 +37,13 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
 }
 
 double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
-                       const GlobalDescriptorKind& kind) {
+                       const GlobalDescriptorKind& kind, double pose) {
     if (a.values.size() != kind.size || b.values.size() != kind.size) {
         return std::numeric_limits<double>::infinity();
     }
     switch (kind.metric) {
+        case GlobalMetric::kSkeletonPairs:
+            return skeleton_pairs_distance(a.values, b.values, pose);
         case GlobalMetric::kManhattan:
             return byte_distance(a.values.data(), b.values.data(), kind.size);
         case GlobalMetric::kSquaredManhattan:

@@ -8,6 +8,7 @@
 #include "engine/descriptor/local_volume.h"
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/descriptor/radial_thickness.h"
+#include "engine/descriptor/skeleton_pairs.h"
 #include "engine/descriptor/solid_surface.h"
 #include "engine/descriptor/surface_pairs.h"
 #include "engine/descriptor/view_spectra.h"
@@ -16,6 +17,7 @@
 namespace ossuary {
 
 enum class GlobalMetric {
+    kSkeletonPairs,     ///< skeleton_pairs_distance
     kManhattan,         ///< sum of absolute differences of the bytes
     kSquaredManhattan,  ///< of their squares
     kViews,             ///< view_distance
@@ -29,20 +31,32 @@ struct GlobalDescriptorKind {
 
 /// What ModelDescriptor::globals holds, in order.
 inline constexpr std::array kGlobalDescriptorKinds = {
+    GlobalDescriptorKind{"skeleton_pairs", kSkeletonPairsSize, GlobalMetric::kSkeletonPairs},
     GlobalDescriptorKind{"views", kViewSpectraSize, GlobalMetric::kViews},
     GlobalDescriptorKind{"surface_pairs", kSurfacePairsSize, GlobalMetric::kSquaredManhattan},
     GlobalDescriptorKind{"local_volume", kLocalVolumeSize, GlobalMetric::kManhattan},
     GlobalDescriptorKind{"radial_thickness", kRadialThicknessSize, GlobalMetric::kManhattan},
 };
 
-/// All global descriptors of a solid.
+/// Where in ModelDescriptor::globals each is.
+enum GlobalPlace : std::size_t {
+    kSkeletonPairsPlace,
+    kViewsPlace,
+    kSurfacePairsPlace,
+    kLocalVolumePlace,
+    kRadialThicknessPlace,
+};
+
+/// All global descriptors of a solid and its skeleton.
 /// @param surface  solid_surface(solid)
 std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
-                                                 const BitVolume& solid);
+                                                 const BitVolume& solid,
+                                                 const SkeletonDescriptor& skeleton);
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.
+/// @param pose  in [0, 1]: how far what bending changes counts, where it can be told apart
 [[nodiscard]] double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
-                                     const GlobalDescriptorKind& kind);
+                                     const GlobalDescriptorKind& kind, double pose = 1.0);
 
 }  // namespace ossuary

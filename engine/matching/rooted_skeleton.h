@@ -71,7 +71,7 @@ struct RootingOptions {
     /// First tier of the ten classes with 1, 2, 3 and 4 roots: .762, .784, .783, .783.
     int candidate_roots = 2;        ///< trees to make, from the most central roots
     double centrality_power = 1.0;  ///< a point of the skeleton counts as its radius to this power
-    double root_blob_weight = 0.3;  ///< a root's own weight, as a multiple of its radius
+    double root_blob_weight = 0.6;  ///< a root's own weight, as a multiple of its radius
     int max_pieces = 96;            ///< of a tree; beyond that the shortest leaves are left out
 };
 

@@ -33,7 +33,7 @@ struct SkeletonDescriptor {
     };
     std::vector<Node> nodes;
     std::vector<Branch> branches;
-    float solid_volume = 0.0F;  ///< of the model, over the scale cubed; at most .094, a ball's
+    float solid_volume = 0.0F;  ///< of the model, over the scale cubed; at most .057, a ball's
 
     RootedSkeletons rooted;   ///< derived; for `skeleton`
     SignatureTree hierarchy;  ///< derived; for `chain-code`
@@ -46,7 +46,7 @@ struct DescribeSkeletonOptions {
 
 /// @param refined  in VOXEL units of a grid whose longest side is the indexing resolution: the
 ///                 5-element codes are read off that grid's lattice
-/// @param scale    square root of the model's surface area, in voxels too, > 0
+/// @param scale    the length to measure in (body_scale), in voxels too, > 0
 /// Leaves solid_volume to the caller, who has the solid.
 SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
                                      const DescribeSkeletonOptions& options = {});

@@ -8,19 +8,23 @@
 namespace ossuary {
 namespace {
 
-/// Skeleton, views, surface pairs, local volume, radial thickness. Flat near the optimum on the ten
-/// classes: halving or doubling any one changes the first tier by less than one point.
-constexpr ComponentValues kWeights = {5.0, 4.0, 1.5, 1.0, 1.5};
+/// Tree edit distance, skeleton pairs; views, surface pairs, local volume, radial thickness. Flat
+/// near the optimum on the ten classes: halving or doubling any one changes the first tier by less
+/// than one point.
+constexpr ComponentValues kSkeletonWeights = {3.0, 4.0, 0.0, 0.0, 0.0, 0.0};
+constexpr ComponentValues kHybridWeights = {4.0, 2.0, 4.0, 1.5, 1.0, 1.5};
 /// Below this share of the mean distance a pair counts as nearly equal.
 constexpr double kFade = 0.02;
 /// No single component may say more than this many deviations.
 constexpr double kMaxDeviations = 8.0;
 
 ComponentValues weights_of(const FusionSide& a, const FusionSide& b) {
-    ComponentValues weights = kWeights;
-    weights[0] *= 0.5 * (a.information + b.information);
+    ComponentValues weights{};
     double total = 0.0;
-    for (const double weight : weights) total += weight;
+    for (std::size_t c = 0; c < kComponentCount; ++c) {
+        weights[c] = 0.5 * (a.weights[c] + b.weights[c]);
+        total += weights[c];
+    }
     for (double& weight : weights) weight /= total;
     return weights;
 }
@@ -89,13 +93,17 @@ double skeleton_information(const SkeletonDescriptor& skeleton) {
     // A skeleton of very many tips has been spread over a sheet or a rough body.
     const double of_tips = 1.0 - 0.8 * smooth_step(build.tips, 14.0, 24.0);
     // Neither a compact body nor a thin sheet is built of limbs.
-    const double compact = 1.0 - 0.8 * smooth_step(build.solid_volume, 0.045, 0.07);
-    const double thin = smooth_step(build.solid_volume, 0.01, 0.025);
+    const double compact = 1.0 - 0.8 * smooth_step(build.solid_volume, 0.040, 0.049);
+    const double thin = smooth_step(build.solid_volume, 0.019, 0.030);
     return telling * of_limbs * of_tips * compact * thin;
 }
 
-FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale) {
-    return {scale, skeleton_information(model.skeleton)};
+FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale, RankerKind ranker) {
+    if (ranker == RankerKind::kSkeleton) return {scale, kSkeletonWeights};
+    FusionSide side{scale, kHybridWeights};
+    const double information = skeleton_information(model.skeleton);
+    for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
+    return side;
 }
 
 double fused_distance(const ComponentValues& distances, const FusionSide& a, const FusionSide& b) {

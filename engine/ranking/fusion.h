@@ -13,10 +13,11 @@ namespace ossuary {
 /// What the fusion needs of one model beside its distances.
 struct FusionSide {
     ModelScale scale;
-    double information = 1.0;
+    ComponentValues weights{};
 };
 
-[[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale);
+[[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
+                                     RankerKind ranker);
 
 /// The fused distance of two models. With z the distance of a component in standard deviations from
 /// the mean, as each of the two models sees it, averaged over both, and f the weighted mean of z

@@ -1,5 +1,6 @@
 #include "engine/ranking/pair_distances.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -13,10 +14,11 @@ std::string_view component_name(std::size_t component) {
 ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {
     ComponentValues values{};
     values[0] = skeleton(a, b);
-    for (std::size_t c = 1; c < kComponentCount; ++c) {
+    const double pose = std::min(skeleton_options_.pose / RankOptions{}.pose, 1.0);
+    for (std::size_t c = 1; c < components_; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;
         values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
-                                           kGlobalDescriptorKinds[c - 1])
+                                           kGlobalDescriptorKinds[c - 1], pose)
                          : std::numeric_limits<double>::infinity();
     }
     return values;

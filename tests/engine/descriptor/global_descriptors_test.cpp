@@ -13,7 +13,7 @@ namespace ossuary {
 namespace {
 
 std::vector<GlobalDescriptor> of_volume(const BitVolume& volume) {
-    return global_descriptors(solid_surface(volume), volume);
+    return global_descriptors(solid_surface(volume), volume, {});
 }
 
 std::vector<GlobalDescriptor> of_mesh(const TriangleMesh& mesh, int resolution = 96) {
