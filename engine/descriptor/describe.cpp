@@ -29,16 +29,16 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& op
     if (stop.stop_requested()) return cancelled();
 
     // The solid's own boundary, not the mesh's triangles: soups have walls inside and twice.
-    const double scale = body_scale(surface.total_area,
-                                    static_cast<double>(skeleton.solid.volume.count()));
+    const double scale =
+        body_scale(surface.total_area, static_cast<double>(skeleton.solid.volume.count()));
     description.descriptor.skeleton = describe_skeleton(skeleton.refined, scale);
     description.descriptor.skeleton.solid_volume = static_cast<float>(
         static_cast<double>(skeleton.solid.volume.count()) / (scale * scale * scale));
     lap("describe_skeleton");
     if (stop.stop_requested()) return cancelled();
 
-    description.descriptor.globals = global_descriptors(surface, skeleton.solid.volume,
-                                                        description.descriptor.skeleton);
+    description.descriptor.globals =
+        global_descriptors(surface, skeleton.solid.volume, description.descriptor.skeleton);
     lap("global_descriptors");
     if (stop.stop_requested()) return cancelled();
 

@@ -13,9 +13,9 @@ enum class FrameKind {
 
 /// A frame of a surface's own: where it is, how it is turned, how large it is.
 struct PrincipalFrame {
-    Vec3 center = Vec3::Zero();      ///< of gravity of the surface, grid units
-    Mat3 axes = Mat3::Identity();    ///< one a row, greatest variance first; signs are arbitrary
-    double mean_distance = 1.0;      ///< of the surface from the centre, voxels; > 0
+    Vec3 center = Vec3::Zero();    ///< of gravity of the surface, grid units
+    Mat3 axes = Mat3::Identity();  ///< one a row, greatest variance first; signs are arbitrary
+    double mean_distance = 1.0;    ///< of the surface from the centre, voxels; > 0
 };
 
 /// @pre the surface is not empty

@@ -25,10 +25,10 @@ std::vector<std::uint8_t> radial_thickness(const ShellGraph& graph,
         const Vec3f offset = graph.points[i] - center.center;
         const float radius = offset.norm();
         const float outward = radius > 0.0F ? graph.normals[i].dot(offset) / radius : 0.0F;
-        histogram.add({static_cast<double>(radius) / center.mean_distance,
-                       std::log(static_cast<double>(diameters[i]) / scale),
-                       static_cast<double>(outward)},
-                      static_cast<double>(graph.areas[i]));
+        histogram.add(
+            {static_cast<double>(radius) / center.mean_distance,
+             std::log(static_cast<double>(diameters[i]) / scale), static_cast<double>(outward)},
+            static_cast<double>(graph.areas[i]));
     }
     std::vector<std::uint8_t> bytes;
     bytes.reserve(kRadialThicknessSize);

@@ -116,8 +116,9 @@ std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
     append_normalized(skeleton_part(skeleton), signature);
     append_normalized(views_part(globals[kViewsPlace].values), signature);
     append_normalized(pairs_part(globals[kSurfacePairsPlace].values), signature);
-    append_normalized(thickness_part(globals[kRadialThicknessPlace].values,
-                                     globals[kLocalVolumePlace].values), signature);
+    append_normalized(
+        thickness_part(globals[kRadialThicknessPlace].values, globals[kLocalVolumePlace].values),
+        signature);
     // A model without a skeleton has an empty part, so the whole is brought to unit length again.
     double square = 0.0;
     for (const float value : signature)

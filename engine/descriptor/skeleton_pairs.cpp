@@ -71,10 +71,9 @@ public:
         const SkeletonDescriptor::Branch& c = skeleton_.branches[t.branch];
         const double s_back = static_cast<double>(b.length) - s.along;
         const double t_back = static_cast<double>(c.length) - t.along;
-        double best = std::min({s.along + from_[b.a][c.a] + t.along,
-                                s.along + from_[b.a][c.b] + t_back,
-                                s_back + from_[b.b][c.a] + t.along,
-                                s_back + from_[b.b][c.b] + t_back});
+        double best =
+            std::min({s.along + from_[b.a][c.a] + t.along, s.along + from_[b.a][c.b] + t_back,
+                      s_back + from_[b.b][c.a] + t.along, s_back + from_[b.b][c.b] + t_back});
         if (s.branch == t.branch) best = std::min(best, std::abs(s.along - t.along));
         return best;
     }

@@ -83,8 +83,7 @@ std::array<ViewImage, 2> depth_images(const SolidSurface& surface, const Princip
         const double column = (offset.dot(u) + 1.0) * 0.5 * kDepthSide;
         const double row = (offset.dot(v) + 1.0) * 0.5 * kDepthSide;
         const double depth = std::clamp(offset.dot(w) * scale, -1.0, 1.0);
-        const auto facing =
-            static_cast<float>(std::abs(surface.normals[i].cast<double>().dot(w)));
+        const auto facing = static_cast<float>(std::abs(surface.normals[i].cast<double>().dot(w)));
         const std::size_t right = pixel_at(column + half_pixel, kDepthSide);
         const std::size_t bottom = pixel_at(row + half_pixel, kDepthSide);
         for (std::size_t y = pixel_at(row - half_pixel, kDepthSide); y <= bottom; ++y) {

@@ -12,7 +12,7 @@ namespace {
 /// near the optimum on the ten classes: halving or doubling any one changes the first tier by less
 /// than one point.
 constexpr ComponentValues kSkeletonWeights = {3.0, 4.0, 0.0, 0.0, 0.0, 0.0};
-constexpr ComponentValues kHybridWeights = {4.0, 2.0, 4.0, 1.5, 1.0, 1.5};
+constexpr ComponentValues kHybridWeights = {5.0, 2.5, 4.0, 1.5, 1.0, 1.5};
 /// Below this share of the mean distance a pair counts as nearly equal.
 constexpr double kFade = 0.02;
 /// No single component may say more than this many deviations.

@@ -34,8 +34,7 @@ inline constexpr std::size_t kSkeletonComponents = 2;
 /// Measures pairs of models; one for each thread, because it owns the matchers' buffers.
 class PairMeter {
 public:
-    explicit PairMeter(const RankOptions& options)
-        : components_(component_count(options.ranker)) {
+    explicit PairMeter(const RankOptions& options) : components_(component_count(options.ranker)) {
         skeleton_options_.pose = options.pose;
     }
 

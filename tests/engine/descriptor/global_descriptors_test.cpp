@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/voxel/voxelize.h"
+#include "engine/descriptor/describe.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary {
@@ -17,9 +17,12 @@ std::vector<GlobalDescriptor> of_volume(const BitVolume& volume) {
 }
 
 std::vector<GlobalDescriptor> of_mesh(const TriangleMesh& mesh, int resolution = 96) {
-    const auto solid = voxelize(mesh, {.resolution = resolution});
-    EXPECT_TRUE(solid.ok());
-    return of_volume(solid->volume);
+    DescribeOptions options;
+    options.skeletonize.voxelize.resolution = resolution;
+    options.skeletonize.canonical_pose = false;
+    const auto description = describe(mesh, options);
+    EXPECT_TRUE(description.ok());
+    return description->descriptor.globals;
 }
 
 double distance(const std::vector<GlobalDescriptor>& a, const std::vector<GlobalDescriptor>& b,

@@ -16,7 +16,8 @@ namespace {
 std::vector<float> random_image(std::size_t pixels, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<float> image;
-    for (std::size_t i = 0; i < pixels; ++i) image.push_back(static_cast<float>(test::next_unit(random)));
+    for (std::size_t i = 0; i < pixels; ++i)
+        image.push_back(static_cast<float>(test::next_unit(random)));
     return image;
 }
 
@@ -45,7 +46,8 @@ TEST(ImageSpectrum, FindsTheFrequencyOfAWave) {
     std::vector<float> image;
     for (std::size_t y = 0; y < kSide; ++y) {
         for (std::size_t x = 0; x < kSide; ++x) {
-            const double phase = 2.0 * std::numbers::pi * static_cast<double>(3 * x + 2 * y) / kSide;
+            const double phase =
+                2.0 * std::numbers::pi * static_cast<double>(3 * x + 2 * y) / kSide;
             image.push_back(static_cast<float>(std::cos(phase)));
         }
     }

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
-#include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/solid_surface.h"
 #include "engine/matching/skeleton_descriptor.h"
 #include "tests/support/random.h"
