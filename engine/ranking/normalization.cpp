@@ -96,16 +96,6 @@ ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
     return scale;
 }
 
-/// Indices of the reference models: all, or evenly spread over the collection.
-std::vector<std::size_t> reference_models(std::size_t count) {
-    const std::size_t affordable =
-        count > kMaxKnown ? kMaxReferences : kMaxPairs / std::max<std::size_t>(count, 1);
-    const std::size_t wanted = std::min(count, std::min(kMaxReferences, affordable));
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < wanted; ++i) indices.push_back(i * count / wanted);
-    return indices;
-}
-
 /// For each model of `rows` the sum of its distances to the references, itself left out.
 std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector<std::size_t>& rows,
                                     const std::vector<std::size_t>& references, int jobs) {
@@ -139,6 +129,15 @@ std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector
 }
 
 }  // namespace
+
+std::vector<std::size_t> reference_models(std::size_t count) {
+    const std::size_t affordable =
+        count > kMaxKnown ? kMaxReferences : kMaxPairs / std::max<std::size_t>(count, 1);
+    const std::size_t wanted = std::min(count, std::min(kMaxReferences, affordable));
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < wanted; ++i) indices.push_back(i * count / wanted);
+    return indices;
+}
 
 Normalization::Normalization(const CollectionStatistics& statistics) : pooled_(kTypicalScale) {
     const std::vector<double>& values = statistics.values;

@@ -12,8 +12,14 @@ std::string_view component_name(std::size_t component) {
 }
 
 ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {
-    ComponentValues values{};
+    ComponentValues values = global_components(a, b);
     values[0] = skeleton(a, b);
+    return values;
+}
+
+ComponentValues PairMeter::global_components(const ModelDescriptor& a,
+                                             const ModelDescriptor& b) const {
+    ComponentValues values{};
     const double pose = std::min(skeleton_options_.pose / RankOptions{}.pose, 1.0);
     for (std::size_t c = 1; c < components_; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;

@@ -48,7 +48,9 @@ FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentV
     if (2 * row.size() < normalization.collection_size()) {
         return fusion_side(query, normalization.pooled(), ranker);
     }
-    return fusion_side(query, scale_of_row(row, normalization.pooled()), ranker);
+    std::vector<ComponentValues> references;
+    for (const std::size_t i : reference_models(row.size())) references.push_back(row[i]);
+    return fusion_side(query, scale_of_row(references, normalization.pooled()), ranker);
 }
 
 std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,

@@ -54,8 +54,8 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs =
 /// Distances from a query (in the collection or not) to each model of the collection, as long as
 /// `collection`; the same, bit by bit, for every number of jobs. Zero for an equal model. With
 /// `rerank` in [0, 2]: the nearest 200 change places among themselves, the others follow.
-/// A query that the statistics do not know is judged by its own row when `collection` is at least
-/// half of what the statistics are of, else (finalists of a preselection) by the pooled scale.
+/// A query that the statistics do not know is judged by its distances to at most 500 models of the
+/// collection when that is at least half of what the statistics are of, else by the pooled scale.
 std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options = {});
