@@ -41,10 +41,15 @@ Result<std::string_view> open_blob(const BlobKind& kind, std::string_view blob) 
                                             ", this program reads up to " +
                                             std::to_string(kind.version)};
     }
-    if (version != kind.version || sealed.substr(5, 3) != std::string_view("\0\0\0", 3)) {
+    if (version == 0 || sealed.substr(5, 3) != std::string_view("\0\0\0", 3)) {
         return {ErrorCode::kIndexCorrupt, what + ": header not understood"};
     }
     return sealed.substr(kBlobHeaderSize);
+}
+
+std::uint8_t blob_version(std::string_view blob) {
+    assert(blob.size() >= kBlobHeaderSize);
+    return static_cast<std::uint8_t>(blob[4]);
 }
 
 }  // namespace ossuary::index

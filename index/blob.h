@@ -10,14 +10,15 @@
 namespace ossuary::index {
 
 /// The kinds of blob in an index, each with its four-letter mark and the version it is written in.
+/// All earlier versions are read too.
 struct BlobKind {
     std::string_view mark;  ///< four ASCII letters
     std::uint8_t version = 1;
 };
 
 inline constexpr BlobKind kSkeletonBlob{"SKEL", 1};
-inline constexpr BlobKind kDescriptorBlob{"DESC", 1};
-inline constexpr BlobKind kGlobalsBlob{"GLOB", 1};
+inline constexpr BlobKind kDescriptorBlob{"DESC", 2};
+inline constexpr BlobKind kGlobalsBlob{"GLOB", 2};
 inline constexpr BlobKind kSignatureBlob{"SIGN", 1};
 inline constexpr BlobKind kPreviewBlob{"MESH", 1};
 inline constexpr BlobKind kThumbnailBlob{"THUM", 1};
@@ -33,5 +34,9 @@ inline constexpr std::size_t kBlobTrailerSize = 8;
 /// The payload of a blob of this kind, a view into `blob`.
 /// Errors: index_corrupt (too short, another kind, checksum), index_newer (a later version).
 Result<std::string_view> open_blob(const BlobKind& kind, std::string_view blob);
+
+/// The version that an opened blob was written in, from 1 to its kind's.
+/// @pre open_blob has accepted it
+[[nodiscard]] std::uint8_t blob_version(std::string_view blob);
 
 }  // namespace ossuary::index

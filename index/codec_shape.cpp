@@ -103,6 +103,7 @@ Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
 
 std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
     ByteWriter writer;
+    writer.put(descriptor.solid_volume);
     writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
     for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (const float coordinate : node.position) writer.put(coordinate);
@@ -127,8 +128,9 @@ Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
     if (!payload) return payload.error();
     ByteReader reader(*payload);
     SkeletonDescriptor descriptor;
+    if (blob_version(blob) >= 2) descriptor.solid_volume = reader.get<float>();
     descriptor.nodes.resize(reader.get_count(20));
-    bool finite = true;
+    bool finite = std::isfinite(descriptor.solid_volume);
     for (SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (float& coordinate : node.position) {
             coordinate = reader.get<float>();
@@ -169,7 +171,7 @@ std::string encode_globals(const std::vector<GlobalDescriptor>& globals) {
     for (const GlobalDescriptor& global : globals) {
         writer.put_text(global.name);
         writer.put(static_cast<std::uint32_t>(global.values.size()));
-        writer.put_all<float>(global.values);
+        writer.put_all<std::uint8_t>(global.values);
     }
     return seal_blob(kGlobalsBlob, writer.bytes());
 }
@@ -181,10 +183,14 @@ Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob) {
     std::vector<GlobalDescriptor> globals(reader.get_count(8));
     for (GlobalDescriptor& global : globals) {
         global.name = reader.get_text();
-        global.values = reader.get_all<float>(reader.get_count(4));
-        if (!all_finite(global.values)) {
-            return corrupt(kGlobalsBlob, "a number that is not finite");
+        if (blob_version(blob) >= 2) {
+            global.values = reader.get_all<std::uint8_t>(reader.get_count(1));
+            continue;
         }
+        // No ranker of today compares the floats of version 1: only their number is kept.
+        const auto floats = reader.get_all<float>(reader.get_count(4));
+        if (!all_finite(floats)) return corrupt(kGlobalsBlob, "a number that is not finite");
+        global.values.assign(floats.size(), 0);
     }
     if (!reader.ok() || !reader.at_end()) return corrupt(kGlobalsBlob, "wrong length");
     return globals;

@@ -1,9 +1,7 @@
 #include "index/searcher.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
-#include <numeric>
 
 #include "engine/descriptor/describe.h"
 
@@ -19,47 +17,39 @@ StoredSkeleton with_chain_codes(SkeletonGraph graph, const SkeletonDescriptor& d
     return skeleton;
 }
 
-/// Positions of the models that may be hits, nearest first.
-std::vector<std::size_t> ranked(const Snapshot& snapshot, const std::vector<double>& distances,
+/// The models that may be hits, nearest first.
+std::vector<RankedModel> ranked(const Snapshot& snapshot, const ModelDescriptor& query,
                                 const SearchOptions& options, ModelId left_out) {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        const ModelSummary& model = snapshot.models()[i];
+    // One more, because the model that is left out is among the nearest. A class is looked for in
+    // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
+    NearestOptions nearest;
+    const bool all = options.limit == 0 || !options.class_filter.empty();
+    nearest.count = all ? snapshot.size() : options.limit + 1;
+    std::vector<RankedModel> hits;
+    for (const RankedModel& found :
+         nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
+                        snapshot.statistics(), options.rank, nearest)) {
+        const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
         if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
-        order.push_back(i);
+        hits.push_back(found);
+        if (hits.size() == options.limit) break;
     }
-    const auto nearer = [&](std::size_t a, std::size_t b) {
-        const bool a_is_number = !std::isnan(distances[a]);
-        const bool b_is_number = !std::isnan(distances[b]);
-        if (a_is_number != b_is_number) return a_is_number;
-        if (a_is_number && distances[a] != distances[b]) return distances[a] < distances[b];
-        return a < b;
-    };
-    const std::size_t count =
-        options.limit == 0 ? order.size() : std::min(options.limit, order.size());
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
-                      order.end(), nearer);
-    order.resize(count);
-    return order;
+    return hits;
 }
 
 /// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
 void find_hits(const Snapshot& snapshot, const ModelDescriptor& query, const SearchOptions& options,
                ModelId left_out, SearchResult& result) {
     Stopwatch watch;
-    // Distances are taken to all models even when a class is asked for: normalisation and
-    // re-ranking then do not depend on the filter.
-    const std::vector<double> distances =
-        rank_distances(query, snapshot.descriptors(), snapshot.statistics(), options.rank);
-    for (const std::size_t position : ranked(snapshot, distances, options, left_out)) {
-        const ModelSummary& model = snapshot.models()[position];
+    for (const RankedModel& found : ranked(snapshot, query, options, left_out)) {
+        const ModelSummary& model = snapshot.models()[found.index];
         Hit hit;
         hit.rank = result.hits.size() + 1;
         hit.id = model.id;
         hit.name = model.name;
         hit.class_name = model.class_name;
-        hit.distance = distances[position];
+        hit.distance = found.distance;
         result.hits.push_back(std::move(hit));
     }
     result.stages_ms.push_back({"rank", watch.lap_ms()});

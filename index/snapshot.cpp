@@ -26,6 +26,7 @@ Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snaps
         snapshot->known_.push_back({model.id, model.changed_at});
         snapshot->descriptor_pointers_.push_back(snapshot->descriptors_.back().get());
     }
+    snapshot->preselection_ = Preselection(snapshot->descriptors());
     if (contents->statistics) snapshot->statistics_ = std::move(contents->statistics->statistics);
     return std::shared_ptr<const Snapshot>(std::move(snapshot));
 }

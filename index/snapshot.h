@@ -7,6 +7,7 @@
 
 #include "engine/core/result.h"
 #include "engine/descriptor/model_descriptor.h"
+#include "engine/ranking/preselection.h"
 #include "engine/ranking/ranker.h"
 #include "index/model.h"
 #include "index/store.h"
@@ -28,6 +29,8 @@ public:
     [[nodiscard]] const std::vector<ModelSummary>& models() const { return models_; }
     /// As long as `models()`, in the same order.
     [[nodiscard]] DescriptorSpan descriptors() const { return descriptor_pointers_; }
+    /// Of `descriptors()`.
+    [[nodiscard]] const Preselection& preselection() const { return preselection_; }
     /// Empty in an index that has none yet; perhaps of an earlier revision, see `state`.
     [[nodiscard]] const CollectionStatistics& statistics() const { return statistics_; }
     /// Position of a model in `models()`; none when it is not there.
@@ -41,6 +44,7 @@ private:
     std::vector<KnownModel> known_;
     std::vector<std::shared_ptr<const ModelDescriptor>> descriptors_;
     std::vector<const ModelDescriptor*> descriptor_pointers_;
+    Preselection preselection_;
     CollectionStatistics statistics_;
 };
 

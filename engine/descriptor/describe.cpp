@@ -1,8 +1,8 @@
 #include "engine/descriptor/describe.h"
 
-#include <cmath>
 #include <utility>
 
+#include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
 #include "engine/descriptor/solid_surface.h"
@@ -29,12 +29,16 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& op
     if (stop.stop_requested()) return cancelled();
 
     // The solid's own boundary, not the mesh's triangles: soups have walls inside and twice.
-    const double scale = std::sqrt(surface.total_area);
+    const double scale =
+        body_scale(surface.total_area, static_cast<double>(skeleton.solid.volume.count()));
     description.descriptor.skeleton = describe_skeleton(skeleton.refined, scale);
+    description.descriptor.skeleton.solid_volume = static_cast<float>(
+        static_cast<double>(skeleton.solid.volume.count()) / (scale * scale * scale));
     lap("describe_skeleton");
     if (stop.stop_requested()) return cancelled();
 
-    description.descriptor.globals = global_descriptors(surface, skeleton.solid.volume);
+    description.descriptor.globals =
+        global_descriptors(surface, skeleton.solid.volume, description.descriptor.skeleton);
     lap("global_descriptors");
     if (stop.stop_requested()) return cancelled();
 

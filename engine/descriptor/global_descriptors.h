@@ -5,40 +5,58 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/descriptor/local_volume.h"
 #include "engine/descriptor/model_descriptor.h"
+#include "engine/descriptor/radial_thickness.h"
+#include "engine/descriptor/skeleton_pairs.h"
 #include "engine/descriptor/solid_surface.h"
+#include "engine/descriptor/surface_pairs.h"
+#include "engine/descriptor/view_spectra.h"
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
 
 enum class GlobalMetric {
-    kManhattan,
-    kEuclidean,
+    kSkeletonPairs,     ///< skeleton_pairs_distance
+    kManhattan,         ///< sum of absolute differences of the bytes
+    kSquaredManhattan,  ///< of their squares
+    kViews,             ///< view_distance
 };
 
 struct GlobalDescriptorKind {
     std::string_view name;
-    std::size_t size = 0;
+    std::size_t size = 0;  ///< bytes
     GlobalMetric metric = GlobalMetric::kManhattan;
 };
 
 /// What ModelDescriptor::globals holds, in order.
 inline constexpr std::array kGlobalDescriptorKinds = {
-    GlobalDescriptorKind{"shape_diameter_geodesic", 256, GlobalMetric::kManhattan},
-    GlobalDescriptorKind{"spherical_harmonics", 544, GlobalMetric::kEuclidean},
-    GlobalDescriptorKind{"depth_fourier_positions", 384, GlobalMetric::kManhattan},
-    GlobalDescriptorKind{"depth_fourier_normals", 384, GlobalMetric::kManhattan},
-    GlobalDescriptorKind{"distance_angle", 256, GlobalMetric::kManhattan},
+    GlobalDescriptorKind{"skeleton_pairs", kSkeletonPairsSize, GlobalMetric::kSkeletonPairs},
+    GlobalDescriptorKind{"views", kViewSpectraSize, GlobalMetric::kViews},
+    GlobalDescriptorKind{"surface_pairs", kSurfacePairsSize, GlobalMetric::kSquaredManhattan},
+    GlobalDescriptorKind{"local_volume", kLocalVolumeSize, GlobalMetric::kManhattan},
+    GlobalDescriptorKind{"radial_thickness", kRadialThicknessSize, GlobalMetric::kManhattan},
 };
 
-/// All global descriptors of a solid.
+/// Where in ModelDescriptor::globals each is.
+enum GlobalPlace : std::size_t {
+    kSkeletonPairsPlace,
+    kViewsPlace,
+    kSurfacePairsPlace,
+    kLocalVolumePlace,
+    kRadialThicknessPlace,
+};
+
+/// All global descriptors of a solid and its skeleton.
 /// @param surface  solid_surface(solid)
 std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
-                                                 const BitVolume& solid);
+                                                 const BitVolume& solid,
+                                                 const SkeletonDescriptor& skeleton);
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
-/// descriptor of another length (made by another version) is taken as infinitely far.
+/// descriptor of another length than the kind's (made by another version) is infinitely far.
+/// @param pose  in [0, 1]: how far what bending changes counts, where it can be told apart
 [[nodiscard]] double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
-                                     GlobalMetric metric);
+                                     const GlobalDescriptorKind& kind, double pose = 1.0);
 
 }  // namespace ossuary

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -31,24 +32,36 @@ struct HistogramAxis {
     }
 };
 
-/// A histogram over two variables with linear sharing between bins.
-class JointHistogram {
+/// A histogram over several variables with linear sharing between bins.
+template <std::size_t kDimensions>
+class SoftHistogram {
 public:
-    JointHistogram(const HistogramAxis& rows, const HistogramAxis& columns)
-        : rows_(rows),
-          columns_(columns),
-          cells_(static_cast<std::size_t>(rows.bins) * static_cast<std::size_t>(columns.bins)) {}
-
-    void add(double row_value, double column_value, double weight) {
-        const auto r = rows_.share(row_value);
-        const auto c = columns_.share(column_value);
-        cell(r.lower, c.lower) += weight * (1.0 - r.upper_share) * (1.0 - c.upper_share);
-        cell(r.lower, c.upper) += weight * (1.0 - r.upper_share) * c.upper_share;
-        cell(r.upper, c.lower) += weight * r.upper_share * (1.0 - c.upper_share);
-        cell(r.upper, c.upper) += weight * r.upper_share * c.upper_share;
+    explicit SoftHistogram(const std::array<HistogramAxis, kDimensions>& axes) : axes_(axes) {
+        std::size_t cells = 1;
+        for (const HistogramAxis& axis : axes) cells *= static_cast<std::size_t>(axis.bins);
+        cells_.assign(cells, 0.0);
     }
 
-    /// Row by row, divided by the sum; all zeros where nothing was added.
+    void add(const std::array<double, kDimensions>& values, double weight) {
+        std::array<std::size_t, kCorners> cell{};
+        std::array<double, kCorners> share{};
+        share[0] = weight;
+        std::size_t corners = 1;
+        for (std::size_t d = 0; d < kDimensions; ++d) {
+            const auto [lower, upper, upper_share] = axes_[d].share(values[d]);
+            const auto bins = static_cast<std::size_t>(axes_[d].bins);
+            for (std::size_t c = 0; c < corners; ++c) {
+                cell[corners + c] = cell[c] * bins + upper;
+                share[corners + c] = share[c] * upper_share;
+                cell[c] = cell[c] * bins + lower;
+                share[c] *= 1.0 - upper_share;
+            }
+            corners *= 2;
+        }
+        for (std::size_t c = 0; c < kCorners; ++c) cells_[cell[c]] += share[c];
+    }
+
+    /// The last variable fastest, divided by the sum; all zeros where nothing was added.
     [[nodiscard]] std::vector<float> normalized() const {
         double total = 0.0;
         for (const double value : cells_) total += value;
@@ -61,12 +74,9 @@ public:
     }
 
 private:
-    double& cell(std::size_t row, std::size_t column) {
-        return cells_[row * static_cast<std::size_t>(columns_.bins) + column];
-    }
+    static constexpr std::size_t kCorners = std::size_t{1} << kDimensions;
 
-    HistogramAxis rows_;
-    HistogramAxis columns_;
+    std::array<HistogramAxis, kDimensions> axes_;
     std::vector<double> cells_;
 };
 

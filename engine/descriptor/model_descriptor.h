@@ -9,10 +9,11 @@
 
 namespace ossuary {
 
-/// One global descriptor: a vector of fixed length that is compared by its own metric.
+/// One global descriptor: bytes of a fixed number that are compared by a metric of their own
+/// (global_distance).
 struct GlobalDescriptor {
-    std::string name;  ///< e.g. d2, shape_diameter_geodesic
-    std::vector<float> values;
+    std::string name;  ///< e.g. views
+    std::vector<std::uint8_t> values;
 };
 
 /// All that the rankers compare. Scale, position and (as far as each part can) orientation are out.

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "engine/chain_code/direction_code.h"
-#include "engine/descriptor/depth_fourier.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/histogram.h"
-#include "engine/descriptor/spherical_harmonics.h"
+#include "engine/descriptor/view_spectra.h"
 
 namespace ossuary {
 namespace {
@@ -21,7 +20,7 @@ static_assert(kPart * kParts == kSignatureSize);
 /// Length of skeleton over (distance from the root, level of the radius).
 std::vector<float> skeleton_part(const SkeletonDescriptor& skeleton) {
     // Levels 100 to 196 are radii from 0.02 to 0.36 of the scale.
-    JointHistogram histogram({0.0, 2.0, 8}, {100.0, 196.0, 8});
+    SoftHistogram<2> histogram({{{0.0, 2.0, 8}, {100.0, 196.0, 8}}});
     if (!skeleton.rooted.trees.empty()) {
         for (const RootedTree::Node& node : skeleton.rooted.trees.front().nodes) {
             if (node.piece == kNoIndex) continue;
@@ -30,7 +29,7 @@ std::vector<float> skeleton_part(const SkeletonDescriptor& skeleton) {
                                 static_cast<double>(std::max<std::size_t>(code.size(), 1));
             double distance = static_cast<double>(node.root_distance) + 0.5 * step;
             for (const DirectionStep& taken : code) {
-                histogram.add(distance, taken.radius_level, step);
+                histogram.add({distance, static_cast<double>(taken.radius_level)}, step);
                 distance += step;
             }
         }
@@ -40,38 +39,59 @@ std::vector<float> skeleton_part(const SkeletonDescriptor& skeleton) {
     return values;
 }
 
-/// 16 x 16 bins to 8 x 8.
-std::vector<float> histogram_part(const std::vector<float>& fine) {
-    std::vector<float> values(kPart, 0.0F);
-    for (std::size_t i = 0; i < fine.size(); ++i) {
-        values[(i / 32) * 8 + (i % 16) / 2] += fine[i];
-    }
-    for (float& value : values) value = std::sqrt(value);
-    return values;
-}
+/// The mass of a histogram's bins, whose square roots are its bytes.
+double mass(std::uint8_t root) { return static_cast<double>(root) * static_cast<double>(root); }
 
-/// Degrees 0 to 7 of each four shells together.
-std::vector<float> harmonics_part(const std::vector<float>& fine) {
-    std::vector<float> values(kPart, 0.0F);
-    for (std::size_t shell = 0; shell < kHarmonicShells; ++shell) {
-        for (std::size_t l = 0; l < 8; ++l) {
-            values[(shell / 4) * 8 + l] += fine[shell * kHarmonicDegrees + l];
+/// Low frequencies of the two frames' three views together, so that the order of axes is out:
+/// 5 x 3 of the panoramas' extent and facing, 4 x 4 of the depth images' mean extent and facing.
+std::vector<float> views_part(const std::vector<std::uint8_t>& bytes) {
+    std::vector<double> sums(kPart, 0.0);
+    for (std::size_t view = 0; view < kViewFrames * 3; ++view) {
+        const std::uint8_t* at = bytes.data() + view * kViewSize;
+        std::size_t out = 0;
+        for (const std::size_t image : {std::size_t{0}, kPanoramaSpectrum}) {
+            for (std::size_t i = 0; i < 15; ++i) sums[out++] += at[image + (i / 5) * 16 + i % 5];
+        }
+        const std::uint8_t* depth = at + 2 * kPanoramaSpectrum;
+        for (const std::size_t image : {std::size_t{0}, 2 * kDepthSpectrum}) {
+            for (std::size_t row = 0; row < 4; ++row) {
+                for (std::size_t column = 0; column < 4; ++column) {
+                    sums[out++] += 0.5 * (depth[image + row * kDepthFrequencies + column] +
+                                          depth[image + column * kDepthFrequencies + row]);
+                }
+            }
         }
     }
-    return values;
+    return {sums.begin(), sums.end()};
 }
 
-/// The lowest frequencies of the three images' means (4 x 4, then a few more of the first).
-std::vector<float> depth_part(const std::vector<float>& fine) {
-    constexpr auto kImage =
-        static_cast<std::size_t>(kDepthFrequencies) * static_cast<std::size_t>(kDepthFrequencies);
+/// Distance against the angle between the normals (8 x 5), and the two other angles (24 of 25).
+std::vector<float> pairs_part(const std::vector<std::uint8_t>& bytes) {
+    std::vector<double> sums(kPart + 1, 0.0);
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        sums[(i / 125) * 5 + i % 5] += mass(bytes[i]);
+        sums[40 + (i / 5) % 25] += mass(bytes[i]);
+    }
     std::vector<float> values;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < 16; ++i) {
-            values.push_back(fine[axis * 2 * kImage + (i / 4) * kDepthFrequencies + i % 4]);
-        }
+    for (std::size_t i = 0; i < kPart; ++i)
+        values.push_back(static_cast<float>(std::sqrt(sums[i])));
+    return values;
+}
+
+/// Distance from the centre against thickness (6 x 5), small cubes against large ones (4 x 8).
+std::vector<float> thickness_part(const std::vector<std::uint8_t>& thickness,
+                                  const std::vector<std::uint8_t>& volume) {
+    std::vector<double> sums(kPart, 0.0);
+    for (std::size_t i = 0; i < thickness.size(); ++i) {
+        sums[(i / 100) * 5 + (i % 50) / 10] += mass(thickness[i]);
     }
-    values.resize(kPart, 0.0F);
+    constexpr std::size_t kFirst = 12 * 8;  // the histogram by geodesic distance stays out
+    for (std::size_t i = kFirst; i < volume.size(); ++i) {
+        const std::size_t bin = (i - kFirst) / 6;
+        sums[30 + (bin / 16) * 8 + bin % 8] += mass(volume[i]);
+    }
+    std::vector<float> values;
+    for (const double sum : sums) values.push_back(static_cast<float>(std::sqrt(sum)));
     return values;
 }
 
@@ -94,9 +114,11 @@ std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
     std::vector<float> signature;
     signature.reserve(kSignatureSize);
     append_normalized(skeleton_part(skeleton), signature);
-    append_normalized(histogram_part(globals[0].values), signature);
-    append_normalized(harmonics_part(globals[1].values), signature);
-    append_normalized(depth_part(globals[2].values), signature);
+    append_normalized(views_part(globals[kViewsPlace].values), signature);
+    append_normalized(pairs_part(globals[kSurfacePairsPlace].values), signature);
+    append_normalized(
+        thickness_part(globals[kRadialThicknessPlace].values, globals[kLocalVolumePlace].values),
+        signature);
     // A model without a skeleton has an empty part, so the whole is brought to unit length again.
     double square = 0.0;
     for (const float value : signature)

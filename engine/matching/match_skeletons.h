@@ -12,7 +12,7 @@ namespace ossuary {
 struct SkeletonMatchOptions {
     double pose = 0.15;  ///< in [0, 1]: weight of direction beside build; 0 = build only
     double radius_weight = 0.7;
-    double radius_gain = 3.0;
+    double radius_gain = 2.5;
     double gap = 0.6;
     double length_weight = 0.3;  ///< times |l - l'| / (l + l')
     double deletion = 0.6;       ///< of a piece without a partner, times its length

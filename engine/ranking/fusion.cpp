@@ -2,23 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace ossuary {
 namespace {
 
-/// Flat near the optimum on the ten classes: halving or doubling any one changes the first tier by
-/// less than one point.
-constexpr ComponentValues kWeights = {3.0, 1.0, 1.0, 0.75, 0.75, 1.0};
+/// Tree edit distance, skeleton pairs; views, surface pairs, local volume, radial thickness. Flat
+/// near the optimum on the ten classes: halving or doubling any one changes the first tier by less
+/// than one point.
+constexpr ComponentValues kSkeletonWeights = {3.0, 4.0, 0.0, 0.0, 0.0, 0.0};
+constexpr ComponentValues kHybridWeights = {5.0, 2.5, 4.0, 1.5, 1.0, 1.5};
 /// Below this share of the mean distance a pair counts as nearly equal.
 constexpr double kFade = 0.02;
 /// No single component may say more than this many deviations.
 constexpr double kMaxDeviations = 8.0;
 
 ComponentValues weights_of(const FusionSide& a, const FusionSide& b) {
-    ComponentValues weights = kWeights;
-    weights[0] *= 0.5 * (a.information + b.information);
+    ComponentValues weights{};
     double total = 0.0;
-    for (const double weight : weights) total += weight;
+    for (std::size_t c = 0; c < kComponentCount; ++c) {
+        weights[c] = 0.5 * (a.weights[c] + b.weights[c]);
+        total += weights[c];
+    }
     for (double& weight : weights) weight /= total;
     return weights;
 }
@@ -34,6 +40,40 @@ ComponentValues ratios(const ComponentValues& distances, const FusionSide& a, co
     return result;
 }
 
+/// What a skeleton's build says of how much it tells.
+struct SkeletonBuild {
+    double length = 0.0;       ///< over the scale
+    double tube_volume = 0.0;  ///< of tubes along the branches, over the scale cubed
+    double solid_volume = 0.0;
+    double branches = 0.0;
+    double tips = 0.0;
+};
+
+SkeletonBuild build_of(const SkeletonDescriptor& skeleton) {
+    SkeletonBuild build;
+    build.solid_volume = std::max(static_cast<double>(skeleton.solid_volume), 1e-9);
+    build.branches = static_cast<double>(skeleton.branches.size());
+    std::vector<int> degree(skeleton.nodes.size(), 0);
+    for (const SkeletonDescriptor::Branch& branch : skeleton.branches) {
+        const auto length = static_cast<double>(branch.length);
+        double squares = 0.0;
+        for (const float radius : branch.radii) squares += static_cast<double>(radius * radius);
+        build.length += length;
+        build.tube_volume +=
+            std::numbers::pi * length * squares / static_cast<double>(branch.radii.size());
+        ++degree[branch.a];
+        ++degree[branch.b];
+    }
+    build.tips = static_cast<double>(std::count(degree.begin(), degree.end(), 1));
+    return build;
+}
+
+/// From 0 at `low` to 1 at `high`.
+double smooth_step(double x, double low, double high) {
+    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 double sum_of(const ComponentValues& values) {
     double sum = 0.0;
     for (const double value : values) sum += value;
@@ -43,19 +83,27 @@ double sum_of(const ComponentValues& values) {
 }  // namespace
 
 double skeleton_information(const SkeletonDescriptor& skeleton) {
-    double length = 0.0;
-    for (const SkeletonDescriptor::Branch& branch : skeleton.branches) {
-        length += static_cast<double>(branch.length);
-    }
+    const SkeletonBuild build = build_of(skeleton);
     // A single limb as long as the square root of the area is a rod; a ball has no length at all.
-    const double by_length = std::min(length / 1.0, 1.0);
-    const double branches = static_cast<double>(skeleton.branches.size());
-    const double by_branches = std::min(branches / 5.0, 1.0);
-    return std::sqrt(by_length * by_branches);
+    const double by_length = std::min(build.length, 1.0);
+    const double by_branches = std::min(build.branches / 5.0, 1.0);
+    const double telling = std::sqrt(by_length * by_branches);
+    // Limbs are tubes: what they hold together is the solid. Sheets are more than their skeleton.
+    const double of_limbs = smooth_step(build.tube_volume / build.solid_volume, 0.45, 0.9);
+    // A skeleton of very many tips has been spread over a sheet or a rough body.
+    const double of_tips = 1.0 - 0.8 * smooth_step(build.tips, 14.0, 24.0);
+    // Neither a compact body nor a thin sheet is built of limbs.
+    const double compact = 1.0 - 0.8 * smooth_step(build.solid_volume, 0.040, 0.049);
+    const double thin = smooth_step(build.solid_volume, 0.019, 0.030);
+    return telling * of_limbs * of_tips * compact * thin;
 }
 
-FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale) {
-    return {scale, skeleton_information(model.skeleton)};
+FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale, RankerKind ranker) {
+    if (ranker == RankerKind::kSkeleton) return {scale, kSkeletonWeights};
+    FusionSide side{scale, kHybridWeights};
+    const double information = skeleton_information(model.skeleton);
+    for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
+    return side;
 }
 
 double fused_distance(const ComponentValues& distances, const FusionSide& a, const FusionSide& b) {

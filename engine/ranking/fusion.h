@@ -4,18 +4,20 @@
 
 namespace ossuary {
 
-/// How telling a skeleton is, in [0, 1]: near 0 for a point or a short stub, where the body is
-/// thick beside its skeleton, rising with the number of branches and their length. It scales the
-/// skeleton's weight in the fusion (thesis sec. 5.2 names the shapes without a telling skeleton).
+/// How telling a skeleton is, in [0, 1]: near 0 for a point or a short stub, where the body is a
+/// sheet or a lump beside its skeleton and where the skeleton has been spread over it with very
+/// many tips; near 1 for a body of some limbs. It scales the skeleton's weight in the fusion
+/// (thesis sec. 5.2 names the shapes without a telling skeleton).
 [[nodiscard]] double skeleton_information(const SkeletonDescriptor& skeleton);
 
 /// What the fusion needs of one model beside its distances.
 struct FusionSide {
     ModelScale scale;
-    double information = 1.0;
+    ComponentValues weights{};
 };
 
-[[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale);
+[[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
+                                     RankerKind ranker);
 
 /// The fused distance of two models. With z the distance of a component in standard deviations from
 /// the mean, as each of the two models sees it, averaged over both, and f the weighted mean of z

@@ -9,7 +9,7 @@
 namespace ossuary {
 namespace {
 
-constexpr double kFormat = 1.0;
+constexpr double kFormat = 2.0;
 constexpr std::size_t kScaleSize = 2 * kComponentCount;
 constexpr std::size_t kHeader = 3 + kScaleSize;
 constexpr std::size_t kRecord = 2 + kScaleSize;
@@ -23,8 +23,8 @@ constexpr std::size_t kMaxKnown = kMaxPairs / kLeastReferences;
 
 /// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
 /// weighs as much as this many distances against those.
-constexpr ModelScale kTypicalScale = {{0.52, 1.48, 1.78, 1.01, 1.05, 0.59},
-                                      {0.074, 0.38, 0.78, 0.22, 0.22, 0.29}};
+constexpr ModelScale kTypicalScale = {{0.52, 4000.0, 16800.0, 218000.0, 4330.0, 6140.0},
+                                      {0.074, 1300.0, 2900.0, 80000.0, 1490.0, 1500.0}};
 constexpr double kTypicalWeight = 10.0;
 constexpr double kPooledWeight = 4.0;
 /// A deviation is at least this share of the mean, for collections of copies.
@@ -96,16 +96,6 @@ ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
     return scale;
 }
 
-/// Indices of the reference models: all, or evenly spread over the collection.
-std::vector<std::size_t> reference_models(std::size_t count) {
-    const std::size_t affordable =
-        count > kMaxKnown ? kMaxReferences : kMaxPairs / std::max<std::size_t>(count, 1);
-    const std::size_t wanted = std::min(count, std::min(kMaxReferences, affordable));
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < wanted; ++i) indices.push_back(i * count / wanted);
-    return indices;
-}
-
 /// For each model of `rows` the sum of its distances to the references, itself left out.
 std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector<std::size_t>& rows,
                                     const std::vector<std::size_t>& references, int jobs) {
@@ -139,6 +129,15 @@ std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector
 }
 
 }  // namespace
+
+std::vector<std::size_t> reference_models(std::size_t count) {
+    const std::size_t affordable =
+        count > kMaxKnown ? kMaxReferences : kMaxPairs / std::max<std::size_t>(count, 1);
+    const std::size_t wanted = std::min(count, std::min(kMaxReferences, affordable));
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < wanted; ++i) indices.push_back(i * count / wanted);
+    return indices;
+}
 
 Normalization::Normalization(const CollectionStatistics& statistics) : pooled_(kTypicalScale) {
     const std::vector<double>& values = statistics.values;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 #include "engine/ranking/pair_distances.h"
 
@@ -44,8 +45,12 @@ private:
     std::unordered_map<std::uint64_t, ModelScale> known_;
 };
 
-/// The scale of a query that the statistics do not know, from its distances to the collection;
-/// leans on the pooled scale where there are few.
+/// Indices of the models that others are judged by, ascending: all of a small collection, else
+/// evenly spread over it, at most 500.
+[[nodiscard]] std::vector<std::size_t> reference_models(std::size_t count);
+
+/// The scale of a query that the statistics do not know, from its distances to the reference
+/// models; leans on the pooled scale where there are few.
 [[nodiscard]] ModelScale scale_of_row(const std::vector<ComponentValues>& distances,
                                       const ModelScale& pooled);
 

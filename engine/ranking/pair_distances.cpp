@@ -1,5 +1,6 @@
 #include "engine/ranking/pair_distances.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -11,12 +12,19 @@ std::string_view component_name(std::size_t component) {
 }
 
 ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {
-    ComponentValues values{};
+    ComponentValues values = global_components(a, b);
     values[0] = skeleton(a, b);
-    for (std::size_t c = 1; c < kComponentCount; ++c) {
+    return values;
+}
+
+ComponentValues PairMeter::global_components(const ModelDescriptor& a,
+                                             const ModelDescriptor& b) const {
+    ComponentValues values{};
+    const double pose = std::min(skeleton_options_.pose / RankOptions{}.pose, 1.0);
+    for (std::size_t c = 1; c < components_; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;
         values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
-                                           kGlobalDescriptorKinds[c - 1].metric)
+                                           kGlobalDescriptorKinds[c - 1], pose)
                          : std::numeric_limits<double>::infinity();
     }
     return values;

@@ -17,16 +17,13 @@ namespace {
 /// Models that one task of a row measures.
 constexpr std::size_t kBlock = 32;
 
-double plain_distance(PairMeter& meter, RankerKind ranker, const ModelDescriptor& a,
-                      const ModelDescriptor& b) {
-    return ranker == RankerKind::kChainCode ? meter.chain_code(a, b) : meter.skeleton(a, b);
-}
-
 std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
-                                     int jobs) {
+                                     const RankOptions& options) {
     std::vector<FusionSide> sides(collection.size());
-    parallel_for(collection.size(), jobs, [&](std::size_t i) {
-        sides[i] = fusion_side(*collection[i], normalization.scale(*collection[i]));
+    if (options.ranker == RankerKind::kChainCode) return sides;
+    parallel_for(collection.size(), options.jobs, [&](std::size_t i) {
+        const ModelScale& scale = normalization.scale(*collection[i]);
+        sides[i] = fusion_side(*collection[i], scale, options.ranker);
     });
     return sides;
 }
@@ -43,13 +40,17 @@ void for_each_with_meter(std::size_t count, const RankOptions& options, const Bo
 
 /// The side of a query: known to the statistics, or to be judged by its own row.
 FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentValues>& row,
-                      const Normalization& normalization) {
-    if (const ModelScale* own = normalization.find(query)) return fusion_side(query, *own);
+                      const Normalization& normalization, RankerKind ranker) {
+    if (const ModelScale* own = normalization.find(query)) {
+        return fusion_side(query, *own, ranker);
+    }
     // A handful of finalists says nothing of the collection.
     if (2 * row.size() < normalization.collection_size()) {
-        return fusion_side(query, normalization.pooled());
+        return fusion_side(query, normalization.pooled(), ranker);
     }
-    return fusion_side(query, scale_of_row(row, normalization.pooled()));
+    std::vector<ComponentValues> references;
+    for (const std::size_t i : reference_models(row.size())) references.push_back(row[i]);
+    return fusion_side(query, scale_of_row(references, normalization.pooled()), ranker);
 }
 
 std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,
@@ -57,9 +58,9 @@ std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan c
                                   const std::vector<FusionSide>& sides,
                                   const RankOptions& options) {
     std::vector<double> distances(collection.size());
-    if (options.ranker != RankerKind::kHybrid) {
+    if (options.ranker == RankerKind::kChainCode) {
         for_each_with_meter(collection.size(), options, [&](PairMeter& meter, std::size_t j) {
-            distances[j] = plain_distance(meter, options.ranker, query, *collection[j]);
+            distances[j] = meter.chain_code(query, *collection[j]);
         });
         return distances;
     }
@@ -67,7 +68,7 @@ std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan c
     for_each_with_meter(collection.size(), options, [&](PairMeter& meter, std::size_t j) {
         row[j] = meter.components(query, *collection[j]);
     });
-    const FusionSide side = query_side(query, row, normalization);
+    const FusionSide side = query_side(query, row, normalization, options.ranker);
     for (std::size_t j = 0; j < row.size(); ++j) {
         distances[j] = fused_distance(row[j], side, sides[j]);
     }
@@ -78,9 +79,7 @@ std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan c
 double collection_distance(PairMeter& meter, DescriptorSpan collection,
                            const std::vector<FusionSide>& sides, RankerKind ranker, std::size_t i,
                            std::size_t j) {
-    if (ranker != RankerKind::kHybrid) {
-        return plain_distance(meter, ranker, *collection[i], *collection[j]);
-    }
+    if (ranker == RankerKind::kChainCode) return meter.chain_code(*collection[i], *collection[j]);
     return fused_distance(meter.components(*collection[i], *collection[j]), sides[i], sides[j]);
 }
 
@@ -106,6 +105,15 @@ std::vector<double> mirrored_matrix(DescriptorSpan collection, const std::vector
         }
     });
     return matrix;
+}
+
+/// The tree edit distance's share of a fused distance, in the proportion of its own parts.
+std::vector<DistancePart> split(double share, const Match& match) {
+    std::vector<DistancePart> parts = match.parts;
+    for (DistancePart& part : parts) {
+        part.value *= match.distance > 0.0 ? share / match.distance : 0.0;
+    }
+    return parts;
 }
 
 }  // namespace
@@ -135,7 +143,7 @@ std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan 
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options) {
     const Normalization normalization(statistics);
-    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options.jobs);
+    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options);
     std::vector<double> distances = row_distances(query, collection, normalization, sides, options);
     if (!options.rerank) return distances;
     const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
@@ -161,13 +169,13 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
     };
 
     const Normalization normalization(statistics);
-    if (options.ranker == RankerKind::kHybrid && !all_known(collection, normalization)) {
+    if (options.ranker != RankerKind::kChainCode && !all_known(collection, normalization)) {
         for (std::size_t i = 0; i < n; ++i) {
             set_row(i, rank_distances(*collection[i], collection, statistics, options));
         }
         return matrix;
     }
-    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options.jobs);
+    const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options);
     const std::vector<double> full = mirrored_matrix(collection, sides, options);
     const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
         std::vector<double> row;
@@ -190,17 +198,17 @@ Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
         return match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options());
     }
     Match match = match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
-    if (options.ranker == RankerKind::kSkeleton) return match;
-
     const Normalization normalization(statistics);
-    const FusionSide a = fusion_side(query, normalization.scale(query));
-    const FusionSide b = fusion_side(other, normalization.scale(other));
+    const FusionSide a = fusion_side(query, normalization.scale(query), options.ranker);
+    const FusionSide b = fusion_side(other, normalization.scale(other), options.ranker);
     const ComponentValues distances = meter.components(query, other);
     const ComponentValues parts = fused_parts(distances, a, b);
-    match.parts.clear();
-    for (std::size_t c = 0; c < kComponentCount; ++c) {
-        match.parts.push_back({std::string(component_name(c)), parts[c]});
+    std::vector<DistancePart> named;
+    if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
+    for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
+        named.push_back({std::string(component_name(c)), parts[c]});
     }
+    match.parts = std::move(named);
     match.distance = fused_distance(distances, a, b);
     return match;
 }

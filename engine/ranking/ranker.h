@@ -13,7 +13,7 @@ namespace ossuary {
 
 enum class RankerKind {
     kHybrid,     ///< skeleton fused with global descriptors; the default
-    kSkeleton,   ///< our best topology-matched, chain-code-ranked measure
+    kSkeleton,   ///< our best topology-matched, chain-code-ranked measure: skeletons alone
     kChainCode,  ///< the thesis to the letter, sec. 3.3
 };
 
@@ -44,7 +44,7 @@ struct DistanceMatrix {
 
 using DescriptorSpan = std::span<const ModelDescriptor* const>;
 
-/// The collection's own distance statistics: for each component of `hybrid` and each model the mean
+/// The collection's own distance statistics: for each component and each model the mean
 /// and deviation of its distances to at most 500 models (fewer in collections above 2,000, so that
 /// a million pairs are measured at most; above 20,000 pooled over all models only). A function of
 /// the collection and its order. No class label is used. Models are known again by their content,
@@ -54,8 +54,8 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs =
 /// Distances from a query (in the collection or not) to each model of the collection, as long as
 /// `collection`; the same, bit by bit, for every number of jobs. Zero for an equal model. With
 /// `rerank` in [0, 2]: the nearest 200 change places among themselves, the others follow.
-/// A query that the statistics do not know is judged by its own row when `collection` is at least
-/// half of what the statistics are of, else (finalists of a preselection) by the pooled scale.
+/// A query that the statistics do not know is judged by its distances to at most 500 models of the
+/// collection when that is at least half of what the statistics are of, else by the pooled scale.
 std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options = {});
@@ -65,7 +65,8 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
                                const RankOptions& options = {});
 
 /// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
-/// normalised shares of each descriptor and the correspondence is that of `skeleton`. `rerank` is
+/// normalised shares of each descriptor, for `skeleton` those of the tree edit distance and of the
+/// pairs of points; the correspondence is that of the tree edit distance. `rerank` is
 /// not a matter of one pair and is ignored; a query that the statistics do not know is judged by
 /// the pooled scale, so its distance may differ a little from that of rank_distances.
 Match explain(const ModelDescriptor& query, const ModelDescriptor& other,

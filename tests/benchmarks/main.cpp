@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     register_skeleton_benchmarks();
     register_matching_benchmarks();
     register_describe_benchmarks();
+    register_search_benchmarks();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

@@ -24,5 +24,7 @@ void register_voxel_benchmarks();
 void register_skeleton_benchmarks();
 void register_matching_benchmarks();
 void register_describe_benchmarks();
+// For collections of several sizes instead, with the recall of the exact ten nearest.
+void register_search_benchmarks();
 
 }  // namespace ossuary::benchmarks

@@ -75,7 +75,7 @@ TEST_P(CodecTest, GivesBackTheSameBytes) {
 
 TEST_P(CodecTest, NamesKindAndVersionFirst) {
     EXPECT_EQ(case_.blob.substr(0, 4), case_.kind.mark);
-    EXPECT_EQ(case_.blob[4], 1);
+    EXPECT_EQ(case_.blob[4], case_.kind.version);
     EXPECT_EQ(case_.blob.substr(5, 3), std::string(3, '\0'));
 }
 
@@ -131,10 +131,44 @@ TEST_P(CodecTest, RefusesBytesLeftOverOrMissingUnderARightChecksum) {
 
 TEST_P(CodecTest, RefusesALaterVersionAsNewer) {
     std::string later = case_.blob;
-    later[4] = 2;
+    later[4] = static_cast<char>(case_.kind.version + 1);
     const auto decoded = case_.recode(with_checksum(later));
     ASSERT_FALSE(decoded);
     EXPECT_EQ(decoded.error().code, ErrorCode::kIndexNewer);
+}
+
+/// A blob of an earlier version, sealed as that version's program did.
+std::string sealed_as(const BlobKind& kind, std::uint8_t version, std::string_view payload) {
+    return seal_blob({kind.mark, version}, payload);
+}
+
+TEST(EarlierVersions, OfDescriptorsHaveNoVolume) {
+    const SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
+    const std::string today = encode_descriptor(descriptor);
+    const std::string_view payload =
+        std::string_view(today).substr(kBlobHeaderSize, today.size() - 16);
+    const auto read = decode_descriptor(sealed_as(kDescriptorBlob, 1, payload.substr(4)));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->solid_volume, 0.0F);
+    EXPECT_EQ(read->nodes.size(), descriptor.nodes.size());
+    EXPECT_EQ(read->branches.size(), descriptor.branches.size());
+}
+
+TEST(EarlierVersions, OfGlobalsKeepNamesAndLengths) {
+    const auto blob = [](float last) {
+        ByteWriter writer;
+        writer.put(std::uint32_t{1});
+        writer.put_text("d2");
+        writer.put(std::uint32_t{3});
+        writer.put_all<float>(std::vector<float>{0.5F, 1.0F, last});
+        return sealed_as(kGlobalsBlob, 1, writer.bytes());
+    };
+    const auto read = decode_globals(blob(2.0F));
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->size(), 1U);
+    EXPECT_EQ(read->front().name, "d2");
+    EXPECT_EQ(read->front().values.size(), 3U);
+    EXPECT_FALSE(decode_globals(blob(std::numeric_limits<float>::infinity())));
 }
 
 TEST_P(CodecTest, RefusesEveryOtherKind) {

@@ -106,11 +106,14 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
         model.skeleton.branches.push_back(std::move(branch));
         model.descriptor.skeleton.branches.push_back(std::move(coded));
     }
+    model.descriptor.skeleton.solid_volume = 0.03F;
     update_degrees(model.skeleton);
     derive_matching_data(model.descriptor.skeleton);
     for (const auto& [name, size] : {std::pair<const char*, int>{"d2", 8}, {"heat", 5}}) {
         GlobalDescriptor global{name, {}};
-        for (int i = 0; i < size; ++i) global.values.push_back(static_cast<float>(numbers.real()));
+        for (int i = 0; i < size; ++i) {
+            global.values.push_back(static_cast<std::uint8_t>(numbers.below(256)));
+        }
         model.descriptor.globals.push_back(std::move(global));
     }
     for (int i = 0; i < 16; ++i) model.descriptor.signature.push_back(numbers.small());

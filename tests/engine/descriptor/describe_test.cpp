@@ -16,9 +16,12 @@ namespace {
 /// Every number is finite and the parts have their fixed lengths.
 void expect_whole(const Description& description, const std::string& name) {
     ASSERT_EQ(description.descriptor.globals.size(), kGlobalDescriptorKinds.size()) << name;
-    for (const auto& global : description.descriptor.globals) {
-        for (const float value : global.values) ASSERT_TRUE(std::isfinite(value)) << name;
+    for (std::size_t k = 0; k < kGlobalDescriptorKinds.size(); ++k) {
+        const auto& global = description.descriptor.globals[k];
+        ASSERT_EQ(global.values.size(), kGlobalDescriptorKinds[k].size) << name;
     }
+    const float volume = description.descriptor.skeleton.solid_volume;
+    ASSERT_TRUE(volume > 0.0F && volume < 0.1F) << name << " " << volume;
     ASSERT_EQ(description.descriptor.signature.size(), kSignatureSize) << name;
     for (const auto& node : description.skeleton.nodes) {
         ASSERT_TRUE(node.position.allFinite() && std::isfinite(node.radius)) << name;

@@ -6,25 +6,28 @@
 #include <limits>
 #include <numeric>
 
-#include "engine/voxel/voxelize.h"
+#include "engine/descriptor/describe.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary {
 namespace {
 
 std::vector<GlobalDescriptor> of_volume(const BitVolume& volume) {
-    return global_descriptors(solid_surface(volume), volume);
+    return global_descriptors(solid_surface(volume), volume, {});
 }
 
 std::vector<GlobalDescriptor> of_mesh(const TriangleMesh& mesh, int resolution = 96) {
-    const auto solid = voxelize(mesh, {.resolution = resolution});
-    EXPECT_TRUE(solid.ok());
-    return of_volume(solid->volume);
+    DescribeOptions options;
+    options.skeletonize.voxelize.resolution = resolution;
+    options.skeletonize.canonical_pose = false;
+    const auto description = describe(mesh, options);
+    EXPECT_TRUE(description.ok());
+    return description->descriptor.globals;
 }
 
 double distance(const std::vector<GlobalDescriptor>& a, const std::vector<GlobalDescriptor>& b,
                 std::size_t kind) {
-    return global_distance(a[kind], b[kind], kGlobalDescriptorKinds[kind].metric);
+    return global_distance(a[kind], b[kind], kGlobalDescriptorKinds[kind]);
 }
 
 TEST(GlobalDescriptors, HaveTheNamesAndSizesOfTheTable) {
@@ -34,10 +37,6 @@ TEST(GlobalDescriptors, HaveTheNamesAndSizesOfTheTable) {
         for (std::size_t k = 0; k < globals.size(); ++k) {
             EXPECT_EQ(globals[k].name, kGlobalDescriptorKinds[k].name);
             EXPECT_EQ(globals[k].values.size(), kGlobalDescriptorKinds[k].size) << shape.name;
-            for (const float value : globals[k].values) {
-                ASSERT_TRUE(std::isfinite(value)) << shape.name << " " << globals[k].name;
-                ASSERT_GE(value, 0.0F);
-            }
             EXPECT_EQ(distance(globals, globals, k), 0.0);
         }
     }
@@ -45,8 +44,8 @@ TEST(GlobalDescriptors, HaveTheNamesAndSizesOfTheTable) {
 
 TEST(GlobalDescriptors, FitTheirShareOfADescriptorOnDisk) {
     std::size_t bytes = 0;
-    for (const auto& kind : kGlobalDescriptorKinds) bytes += kind.size * sizeof(float);
-    EXPECT_LE(bytes, 10'000U);  // of 16 kB, the skeleton's share taken off
+    for (const auto& kind : kGlobalDescriptorKinds) bytes += kind.size;
+    EXPECT_LE(bytes, 6'000U);  // of 16 kB, the skeleton's share taken off
 }
 
 TEST(GlobalDescriptors, AreTheSameForTheSameVolume) {
@@ -90,7 +89,9 @@ TEST_F(Invariance, HoldsUnderQuarterTurnsAndMirrors) {
     for (const Mat3& linear : {turn, mirror}) {
         const auto changed = of_mesh(test::transformed(test::capsule_tree_mesh(), linear));
         for (std::size_t k = 0; k < tree_.size(); ++k) {
-            EXPECT_LT(drift(changed, k), 0.15) << tree_[k].name;
+            // Pairs are of points that are picked along the grid, which has turned.
+            const double limit = tree_[k].name == "surface_pairs" ? 0.25 : 0.15;
+            EXPECT_LT(drift(changed, k), limit) << tree_[k].name;
         }
     }
 }
@@ -122,21 +123,23 @@ TEST(GlobalDescriptors, CopeWithTinyAndFlatVolumes) {
         for (int y = 1; y < 19; ++y) sheet.set(x, y, 1);
     }
     for (const BitVolume& volume : {one, line, sheet}) {
-        for (const auto& global : of_volume(volume)) {
-            for (const float value : global.values)
-                ASSERT_TRUE(std::isfinite(value)) << global.name;
+        const auto globals = of_volume(volume);
+        for (std::size_t k = 0; k < globals.size(); ++k) {
+            ASSERT_EQ(globals[k].values.size(), kGlobalDescriptorKinds[k].size);
+            EXPECT_EQ(distance(globals, of_volume(volume), k), 0.0) << globals[k].name;
         }
     }
 }
 
 TEST(GlobalDistance, IsTheMetricOfTheTable) {
-    const GlobalDescriptor a{"x", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}};
-    const GlobalDescriptor b{"x", {1, 2, 3, 4, 5, 6, 7, 8, 12, 6}};
-    EXPECT_DOUBLE_EQ(global_distance(a, b, GlobalMetric::kManhattan), 7.0);
-    EXPECT_DOUBLE_EQ(global_distance(a, b, GlobalMetric::kEuclidean), 5.0);
-    EXPECT_EQ(global_distance(a, b, GlobalMetric::kEuclidean),
-              global_distance(b, a, GlobalMetric::kEuclidean));
-    EXPECT_TRUE(std::isinf(global_distance(a, {"x", {1.0F}}, GlobalMetric::kManhattan)));
+    const GlobalDescriptor a{"x", {1, 2, 3, 250}};
+    const GlobalDescriptor b{"x", {1, 4, 0, 255}};
+    const GlobalDescriptorKind plain{"x", 4, GlobalMetric::kManhattan};
+    const GlobalDescriptorKind squared{"x", 4, GlobalMetric::kSquaredManhattan};
+    EXPECT_EQ(global_distance(a, b, plain), 10.0);
+    EXPECT_EQ(global_distance(a, b, squared), 12.0 + 9.0 + 255.0 * 255.0 - 250.0 * 250.0);
+    EXPECT_EQ(global_distance(a, b, squared), global_distance(b, a, squared));
+    EXPECT_TRUE(std::isinf(global_distance(a, {"x", {1}}, plain)));
 }
 
 }  // namespace

@@ -32,15 +32,26 @@ TEST(Histogram, PutsWhatLiesOutsideIntoTheEndBins) {
 }
 
 TEST(Histogram, SumsToOneAndKeepsWeights) {
-    JointHistogram histogram({0.0, 2.0, 2}, {0.0, 2.0, 2});
-    histogram.add(0.5, 0.5, 3.0);
-    histogram.add(1.5, 0.5, 1.0);
+    SoftHistogram<2> histogram({{{0.0, 2.0, 2}, {0.0, 2.0, 2}}});
+    histogram.add({0.5, 0.5}, 3.0);
+    histogram.add({1.5, 0.5}, 1.0);
     const std::vector<float> values = histogram.normalized();
     EXPECT_EQ(values, (std::vector<float>{0.75F, 0.0F, 0.25F, 0.0F}));
 }
 
+TEST(Histogram, SharesAValueAmongTheCornersOfItsCell) {
+    SoftHistogram<3> histogram({{{0.0, 2.0, 2}, {0.0, 3.0, 3}, {0.0, 2.0, 2}}});
+    histogram.add({0.75, 1.5, 1.0}, 2.0);
+    const std::vector<float> values = histogram.normalized();
+    std::vector<float> expected(12, 0.0F);
+    expected[(0 * 3 + 1) * 2 + 0] = expected[(0 * 3 + 1) * 2 + 1] = 0.375F;
+    expected[(1 * 3 + 1) * 2 + 0] = expected[(1 * 3 + 1) * 2 + 1] = 0.125F;
+    EXPECT_EQ(values, expected);
+}
+
 TEST(Histogram, IsAllZeroWhenEmpty) {
-    const std::vector<float> values = JointHistogram({0.0, 1.0, 3}, {0.0, 1.0, 3}).normalized();
+    const std::vector<float> values =
+        SoftHistogram<2>({{{0.0, 1.0, 3}, {0.0, 1.0, 3}}}).normalized();
     EXPECT_EQ(values, std::vector<float>(9, 0.0F));
 }
 

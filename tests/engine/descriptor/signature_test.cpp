@@ -28,13 +28,13 @@ double distance(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST(Signature, IsOfUnitLengthEvenWithoutASkeleton) {
     const BitVolume volume = test::ball().volume;
-    const auto globals = global_descriptors(solid_surface(volume), volume);
+    const auto globals = global_descriptors(solid_surface(volume), volume, {});
     const auto signature = preselection_signature({}, globals);
     ASSERT_EQ(signature.size(), kSignatureSize);
     EXPECT_NEAR(norm(signature), 1.0, 1e-5);
 
     std::vector<GlobalDescriptor> nothing = globals;
-    for (auto& global : nothing) global.values.assign(global.values.size(), 0.0F);
+    for (auto& global : nothing) global.values.assign(global.values.size(), 0);
     EXPECT_NEAR(norm(preselection_signature({}, nothing)), 1.0, 1e-5);
 }
 

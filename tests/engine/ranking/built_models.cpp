@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
 #include "engine/descriptor/solid_surface.h"
@@ -86,9 +87,12 @@ ModelDescriptor built_model(std::uint64_t family, std::uint64_t seed) {
         return false;
     });
     const SolidSurface surface = solid_surface(volume);
+    const auto voxels = static_cast<double>(volume.count());
+    const double scale = body_scale(surface.total_area, voxels);
     ModelDescriptor model;
-    model.skeleton = describe_skeleton(skeleton_of(capsules), std::sqrt(surface.total_area));
-    model.globals = global_descriptors(surface, volume);
+    model.skeleton = describe_skeleton(skeleton_of(capsules), scale);
+    model.skeleton.solid_volume = static_cast<float>(voxels / (scale * scale * scale));
+    model.globals = global_descriptors(surface, volume, model.skeleton);
     model.signature = preselection_signature(model.skeleton, model.globals);
     return model;
 }

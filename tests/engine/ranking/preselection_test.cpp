@@ -1,0 +1,113 @@
+#include "engine/ranking/preselection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "tests/engine/ranking/built_models.h"
+
+namespace ossuary {
+namespace {
+
+/// Ten families of four models; built once for all tests.
+class PreselectionTest : public ::testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        models_ = new std::vector<ModelDescriptor>(test::built_collection(10, 4));
+    }
+    static void TearDownTestSuite() {
+        delete models_;
+        models_ = nullptr;
+    }
+    static std::vector<const ModelDescriptor*> collection() { return test::pointers(*models_); }
+
+    static std::vector<ModelDescriptor>* models_;
+};
+std::vector<ModelDescriptor>* PreselectionTest::models_ = nullptr;
+
+std::vector<std::size_t> indices(const std::vector<RankedModel>& models) {
+    std::vector<std::size_t> result;
+    for (const RankedModel& model : models) result.push_back(model.index);
+    return result;
+}
+
+/// Stages so narrow that a small collection goes through all of them.
+NearestOptions narrow() {
+    return {.count = 2, .exhaustive_below = 10, .by_signature = 30, .by_globals = 20};
+}
+
+TEST_F(PreselectionTest, ScansToTheNearestSignatures) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    ASSERT_EQ(preselection.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); i += 7) {
+        const auto one = preselection.nearest(all[i]->signature, 1);
+        EXPECT_EQ(one, std::vector<std::uint32_t>{static_cast<std::uint32_t>(i)});
+        const auto ten = preselection.nearest(all[i]->signature, 10);
+        EXPECT_EQ(ten.size(), 10U);
+        EXPECT_TRUE(std::is_sorted(ten.begin(), ten.end()));
+        EXPECT_TRUE(std::find(ten.begin(), ten.end(), i) != ten.end());
+    }
+    std::vector<std::uint32_t> everything(all.size());
+    std::iota(everything.begin(), everything.end(), 0U);
+    EXPECT_EQ(preselection.nearest(all[0]->signature, 1000), everything);
+    EXPECT_TRUE(Preselection().nearest(all[0]->signature, 5).empty());
+}
+
+TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    const CollectionStatistics statistics = collection_statistics(all);
+    const ModelDescriptor stranger = test::built_model(3, 99);
+    for (const RankerKind ranker : kAllRankers) {
+        const RankOptions options{.ranker = ranker};
+        for (const ModelDescriptor* query : {all[5], &stranger}) {
+            const auto exact = rank_distances(*query, all, statistics, options);
+            const auto found =
+                nearest_models(*query, all, preselection, statistics, options, narrow());
+            ASSERT_EQ(found.size(), 2U);
+            for (const RankedModel& model : found) {
+                EXPECT_EQ(model.distance, exact[model.index]) << to_string(ranker);
+            }
+            EXPECT_LE(found[0].distance, found[1].distance);
+            EXPECT_EQ(found[0].distance, *std::min_element(exact.begin(), exact.end()))
+                << to_string(ranker);
+        }
+    }
+}
+
+TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    const CollectionStatistics statistics = collection_statistics(all);
+    for (const bool rerank : {false, true}) {
+        const RankOptions options{.rerank = rerank};
+        const auto distances = rank_distances(*all[9], all, statistics, options);
+        const auto found = nearest_models(*all[9], all, preselection, statistics, options,
+                                          {.count = all.size()});
+        ASSERT_EQ(found.size(), all.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            EXPECT_EQ(found[i].distance, distances[found[i].index]);
+            EXPECT_LE(found[i > 0 ? i - 1 : 0].distance, found[i].distance);
+        }
+    }
+}
+
+TEST_F(PreselectionTest, GivesTheSameForEveryNumberOfJobs) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    const CollectionStatistics statistics = collection_statistics(all);
+    for (const bool rerank : {false, true}) {
+        RankOptions options{.rerank = rerank};
+        const auto one = nearest_models(*all[17], all, preselection, statistics, options, narrow());
+        options.jobs = 3;
+        const auto three =
+            nearest_models(*all[17], all, preselection, statistics, options, narrow());
+        EXPECT_EQ(indices(one), indices(three));
+        EXPECT_EQ(one.front().index, 17U);
+    }
+}
+
+}  // namespace
+}  // namespace ossuary
