@@ -62,9 +62,9 @@ TEST(HumanSegmentations, RandIndexErrorOfTwentyModelsIsThatOfTheSegFiles) {
         std::sort(paths.begin(), paths.end());
         ASSERT_EQ(paths.size(), humans->size());
         for (std::size_t h = 1; h < paths.size(); ++h) {
-            EXPECT_NEAR(
-                segmentation_errors((*humans)[0], (*humans)[h], areas).rand_index_error,
-                rand_index_error_from_labels(raw_labels(paths[0]), raw_labels(paths[h])), 1e-12)
+            EXPECT_NEAR(segmentation_errors((*humans)[0], (*humans)[h], areas).rand_index_error,
+                        rand_index_error_from_labels(raw_labels(paths[0]), raw_labels(paths[h])),
+                        1e-12)
                 << name << ", " << paths[h].filename();
         }
         ++models;
