@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/decomposition/affinity.h"
+#include "engine/decomposition/map_surface.h"
 #include "engine/decomposition/merge_patches.h"
 #include "engine/decomposition/refine_borders.h"
 #include "engine/mesh/edge_table.h"
@@ -64,12 +65,41 @@ std::vector<Decomposition::Part> describe_parts(const MeasuredPatches& patches,
     return parts;
 }
 
+std::vector<std::uint32_t> merged_labels(const MeasuredPatches& patches, std::size_t parts,
+                                         StageTimes& times) {
+    Stopwatch watch;
+    const std::vector<float> together = probability_together(patches.pairs);
+    const std::vector<std::uint32_t> part_of_patch =
+        merge_patches(patches.graph, together, {.parts = parts});
+    std::vector<std::uint32_t> labels;
+    labels.reserve(patches.graph.of_triangle.size());
+    for (const std::uint32_t patch : patches.graph.of_triangle) {
+        labels.push_back(part_of_patch[patch]);
+    }
+    times.push_back({"merge", watch.lap_ms()});
+    refine_borders(patches.surface, labels);
+    times.push_back({"borders", watch.lap_ms()});
+    return labels;
+}
+
 Error too_many_parts(std::size_t wanted, std::size_t possible) {
     return {ErrorCode::kInvalidArgument, "parts: expected at most " + std::to_string(possible) +
                                              ", found " + std::to_string(wanted)};
 }
 
 }  // namespace
+
+std::string_view to_string(DecompositionMethod method) {
+    return method == DecompositionMethod::kThesis ? "thesis" : "evidence";
+}
+
+Result<DecompositionMethod> parse_decomposition_method(std::string_view name) {
+    for (const auto method : {DecompositionMethod::kEvidence, DecompositionMethod::kThesis}) {
+        if (name == to_string(method)) return method;
+    }
+    return Error{ErrorCode::kInvalidArgument,
+                 "method: expected evidence or thesis, found '" + std::string(name) + "'"};
+}
 
 SkeletonizeOptions decomposition_skeleton_options() {
     SkeletonizeOptions options;
@@ -110,6 +140,11 @@ Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh, const Decompos
 Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions& options,
                                 std::stop_token stop) {
     if (options.parts > kMaxParts) return too_many_parts(options.parts, kMaxParts);
+    const bool is_thesis = options.method == DecompositionMethod::kThesis;
+    if (is_thesis && options.parts > 0) {
+        return Error{ErrorCode::kInvalidArgument,
+                     "parts: the thesis' method makes one of each branch of the skeleton"};
+    }
     Result<MeasuredPatches> measured = measure_patches(mesh, options, stop);
     if (!measured) return measured.error();
     const MeasuredPatches& patches = *measured;
@@ -119,21 +154,17 @@ Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions
     Decomposition result;
     result.stage_times = patches.stage_times;
     result.warnings = patches.skeleton.solid.warnings;
-    Stopwatch watch;
-    const std::vector<float> together = probability_together(patches.pairs);
-    const std::vector<std::uint32_t> part_of_patch =
-        merge_patches(patches.graph, together, {.parts = options.parts});
+    result.skeleton = to_world(patches.skeleton.refined, patches.skeleton.solid.world_from_grid);
     std::vector<std::uint32_t> labels;
-    labels.reserve(mesh.triangles.size());
-    for (const std::uint32_t patch : patches.graph.of_triangle) {
-        labels.push_back(part_of_patch[patch]);
+    if (is_thesis) {
+        Stopwatch watch;
+        labels = map_surface(patches.mesh, result.skeleton, {.seed = options.seed});
+        result.stage_times.push_back({"map", watch.lap_ms()});
+    } else {
+        labels = merged_labels(patches, options.parts, result.stage_times);
     }
-    result.stage_times.push_back({"merge", watch.lap_ms()});
-    refine_borders(patches.surface, labels);
-    result.stage_times.push_back({"borders", watch.lap_ms()});
     result.segmentation = by_area(patches.surface, labels);
     result.parts = describe_parts(patches, result.segmentation);
-    result.skeleton = to_world(patches.skeleton.refined, patches.skeleton.solid.world_from_grid);
     return result;
 }
 

@@ -21,10 +21,20 @@ namespace ossuary {
 /// time and leaves the Rand index error where it is.
 [[nodiscard]] SkeletonizeOptions decomposition_skeleton_options();
 
+enum class DecompositionMethod {
+    kEvidence,  ///< ours: patches merged where people would
+    kThesis,    ///< one part a branch of the skeleton (thesis sec. 3.4; map_surface.h)
+};
+
+[[nodiscard]] std::string_view to_string(DecompositionMethod method);
+Result<DecompositionMethod> parse_decomposition_method(std::string_view name);
+
 struct DecomposeOptions {
-    /// The number of parts wanted; 0 leaves it to the evidence.
+    DecompositionMethod method = DecompositionMethod::kEvidence;
+    /// evidence: the number of parts wanted; 0 leaves it to the evidence.
     std::size_t parts = 0;
-    std::size_t patches = 160;  ///< that parts are made of
+    std::uint64_t seed = 1;     ///< thesis: of the sampled points
+    std::size_t patches = 160;  ///< evidence: that parts are made of
     SkeletonizeOptions skeletonize = decomposition_skeleton_options();
 };
 inline constexpr std::size_t kMaxParts = 100;
@@ -62,9 +72,10 @@ Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh,
 /// skeleton (affinity.h), merged where that makes the expected Rand index largest
 /// (merge_patches.h), and the borders laid into the creases (refine_borders.h). Every triangle gets
 /// a part; parts are connected, but for small pieces of a soup. Parts are numbered by descending
-/// area. Deterministic.
-/// Errors: those of skeletonize; invalid_argument (more than kMaxParts parts wanted, or more than
-/// the surface has patches).
+/// area. Deterministic. `method` may ask for the thesis' algorithm instead, whose parts need not be
+/// connected.
+/// Errors: those of skeletonize; invalid_argument (more than kMaxParts parts wanted, more than the
+/// surface has patches, or a number of parts wanted of the thesis' algorithm).
 Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
                                 std::stop_token stop = {});
 
