@@ -5,12 +5,15 @@
 #include <memory>
 
 #include "engine/decomposition/decompose.h"
+#include "engine/decomposition/rig.h"
 #include "engine/decomposition/seg_file.h"
 #include "engine/mesh/read_mesh.h"
+#include "engine/mesh/weld.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/write_file.h"
 #include "index/coloured_parts.h"
+#include "index/gltf.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -53,8 +56,15 @@ Result<void> write_out(const std::string& out, const TriangleMesh& mesh,
     if (extension == ".ply") {
         return write_file(out, index::coloured_ply(mesh, decomposition.segmentation));
     }
-    return {ErrorCode::kInvalidArgument,
-            fmt::format("{}: parts are written as .seg (labels) or .ply (colours)", out)};
+    if (extension == ".glb") {
+        const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
+        const Rig rig = make_rig(welded, decomposition.skeleton);
+        const std::string name = std::filesystem::path(out).stem().string();
+        return write_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
+    }
+    return {
+        ErrorCode::kInvalidArgument,
+        fmt::format("{}: parts are written as .seg (labels), .ply (colours) or .glb (a rig)", out)};
 }
 
 void print_parts(const nlohmann::json& document) {
@@ -116,8 +126,8 @@ void add_segment(CLI::App& app, Session& session) {
     command->add_option("MODEL", options->model_path, "A model file")->required();
     command
         ->add_option("--out", options->out,
-                     "Write .seg (the part of each face, a line each) or .ply (coloured by part); "
-                     "may be given for each")
+                     "Write .seg (the part of each face, a line each), .ply (coloured by part) "
+                     "or .glb (rigged by the skeleton); may be given for each")
         ->type_name("FILE")
         ->expected(1)
         ->take_all();
