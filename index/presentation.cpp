@@ -104,6 +104,14 @@ json to_json(const SkeletonGraph& graph, std::string_view unit) {
     return skeleton_json(graph, unit, {});
 }
 
+json to_json(const Decomposition::Part& part, double total_area) {
+    return {{"triangles", part.triangles},
+            {"area", part.area},
+            {"area_share", total_area > 0.0 ? part.area / total_area : 0.0},
+            {"branch", part.branch >= 0 ? json(part.branch) : json()},
+            {"neighbors", part.neighbors}};
+}
+
 json to_json(const PreviewMesh& mesh, const Box3& bounds) {
     return {
         {"positions", mesh.positions}, {"triangles", mesh.triangles}, {"bounds", to_json(bounds)}};

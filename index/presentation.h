@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/stopwatch.h"
+#include "engine/decomposition/decompose.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "index/evaluation.h"
 #include "index/indexer.h"
@@ -25,6 +26,9 @@ namespace ossuary::index {
 [[nodiscard]] nlohmann::json to_json(const StoredSkeleton& skeleton);
 /// A skeleton without chain codes; `unit` is "model" or "voxel".
 [[nodiscard]] nlohmann::json to_json(const SkeletonGraph& graph, std::string_view unit = "model");
+/// A part without its number: {triangles, area, area_share, branch, neighbors}; the branch is null
+/// where it has none.
+[[nodiscard]] nlohmann::json to_json(const Decomposition::Part& part, double total_area);
 [[nodiscard]] nlohmann::json to_json(const PreviewMesh& mesh, const Box3& bounds);
 [[nodiscard]] nlohmann::json to_json(const ModelSummary& model);  ///< without links
 [[nodiscard]] nlohmann::json to_json(const Failure& failure);

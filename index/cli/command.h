@@ -36,6 +36,8 @@ void add_compare(CLI::App& app, Session& session);
 void add_evaluate(CLI::App& app, Session& session);
 void add_skeleton(CLI::App& app, Session& session);
 void add_thin(CLI::App& app, Session& session);
+void add_segment(CLI::App& app, Session& session);
+void add_evaluate_segmentation(CLI::App& app, Session& session);
 void add_models(CLI::App& app, Session& session);
 void add_show(CLI::App& app, Session& session);
 void add_remove(CLI::App& app, Session& session);

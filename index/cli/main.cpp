@@ -26,8 +26,9 @@ int run(int argc, char** argv) {
     Session session;
     const InterruptGuard interrupt;
     session.stop = interrupt.stop_token();
-    for (const auto add : {add_index, add_search, add_compare, add_evaluate, add_skeleton, add_thin,
-                           add_models, add_show, add_remove, add_verify, add_export}) {
+    for (const auto add :
+         {add_index, add_search, add_compare, add_evaluate, add_skeleton, add_thin, add_segment,
+          add_evaluate_segmentation, add_models, add_show, add_remove, add_verify, add_export}) {
         add(app, session);
     }
     try {

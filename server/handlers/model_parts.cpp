@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "index/model_segments.h"
 #include "index/presentation.h"
 #include "server/etag.h"
 #include "server/handlers/handlers.h"
@@ -39,10 +40,20 @@ Checked<Response> model_skeleton(Service& service, const Request& request) {
 Checked<Response> model_segments(Service& service, const Request& request) {
     const auto id = only_id(request);
     if (!id) return tl::unexpected<Problem>(id.error());
-    const auto model = service.searcher.store().model(*id);
-    if (!model) return fail(model.error());
-    return fail(RequestFault::kSegmentsNotAvailable,
-                "The index does not hold the parts of model " + request.capture + ".");
+    const auto mesh = service.searcher.store().preview(*id);
+    if (!mesh) return fail(mesh.error());
+    const auto skeleton = service.searcher.store().skeleton(*id);
+    if (!skeleton) return fail(skeleton.error());
+    const auto slot = wait_for_slot(service, request);
+    if (!slot) return tl::unexpected<Problem>(slot.error());
+    const auto segments = index::model_segments(*mesh, skeleton->graph, request.stop);
+    if (!segments.ok()) {
+        if (segments.error().code == ErrorCode::kCancelled) return fail(segments.error());
+        return fail(
+            RequestFault::kSegmentsNotAvailable,
+            "Model " + request.capture + " cannot be cut into parts: " + segments.error().message);
+    }
+    return conditional(request.head, json_answer(index::to_json(*segments)));
 }
 
 Checked<Response> model_thumbnail(Service& service, const Request& request) {

@@ -80,7 +80,16 @@ TEST_F(Models, GivesEachModelWithItsParts) {
         EXPECT_EQ(picture.status, 200);
         EXPECT_EQ(picture.header("Content-Type"), "image/png");
         EXPECT_EQ(picture.body.substr(1, 3), "PNG");
-        EXPECT_EQ(server_.code(get(path + "/segments"), 404), "segments_not_available");
+        const auto segments = server_.json(get(path + "/segments"));
+        EXPECT_EQ(segments["labels"].size() * 3, mesh["triangles"].size());
+        std::size_t triangles = 0;
+        for (const auto& part : segments["parts"]) {
+            triangles += part["triangles"].get<std::size_t>();
+            if (!part["branch"].is_null()) {
+                EXPECT_LT(part["branch"].get<std::size_t>(), skeleton["branches"].size());
+            }
+        }
+        EXPECT_EQ(triangles, segments["labels"].size());
     }
 }
 
@@ -100,8 +109,8 @@ TEST_F(Models, SaysWhichModelsThereAreNot) {
 TEST_F(Models, AnswersNotModifiedWhileNothingHasChanged) {
     for (const char* path :
          {"/v1/models", "/v1/models/1", "/v1/models/1/mesh", "/v1/models/1/skeleton",
-          "/v1/models/1/thumbnail.png", "/v1/models/1/similar?limit=2", "/v1/compare?a=1&b=2",
-          "/openapi.yaml"}) {
+          "/v1/models/1/segments", "/v1/models/1/thumbnail.png", "/v1/models/1/similar?limit=2",
+          "/v1/compare?a=1&b=2", "/openapi.yaml"}) {
         const RawAnswer first = server_.ask(get(path));
         ASSERT_EQ(first.status, 200) << path;
         const std::string etag = first.header("ETag");

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/core/geometry.h"
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary {
+
+/// A surface as a graph of its triangles: who lies across which side, and how the surface turns
+/// there.
+struct SurfaceGraph {
+    std::vector<Vec3> centers;  ///< model units
+    std::vector<Vec3> normals;  ///< unit length; zero for triangles without area
+    std::vector<double> areas;  ///< model units squared
+    /// For each side the triangle across; kNoTriangle on boundaries and non-manifold edges.
+    std::vector<std::array<std::uint32_t, 3>> across;
+    /// How far the normals of the two are apart, |n - n'|: positive where the surface is concave,
+    /// negative where it is convex, in [-2, 2].
+    std::vector<std::array<float, 3>> turns;
+    std::vector<std::array<float, 3>> side_lengths;  ///< model units
+    double total_area = 0.0;
+
+    [[nodiscard]] std::size_t size() const { return centers.size(); }
+};
+
+/// @param mesh  vertices told apart by index: weld a soup first
+SurfaceGraph surface_graph(const TriangleMesh& mesh);
+
+/// The pieces of the graph, numbered by their first triangle.
+struct SurfacePieces {
+    std::vector<std::uint32_t> of_triangle;
+    std::vector<double> areas;
+};
+SurfacePieces surface_pieces(const SurfaceGraph& graph);
+
+}  // namespace ossuary

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "engine/decomposition/decompose.h"
+#include "engine/decomposition/rig.h"
+#include "engine/decomposition/seg_file.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/mesh/weld.h"
+#include "index/cli/command.h"
+#include "index/cli/console.h"
+#include "index/cli/write_file.h"
+#include "index/coloured_parts.h"
+#include "index/gltf.h"
+#include "index/presentation.h"
+
+namespace ossuary::cli {
+namespace {
+
+struct Options {
+    std::string model_path;
+    std::vector<std::string> out;
+    std::string method = "evidence";
+    DecomposeOptions decompose;
+};
+
+nlohmann::json document_of(const Decomposition& decomposition, const Segmentation& faces,
+                           const Options& options, const StageTimes& times) {
+    nlohmann::json parts = nlohmann::json::array();
+    std::vector<std::size_t> face_counts(faces.parts, 0);
+    for (const std::uint32_t label : faces.labels) ++face_counts[label];
+    double total_area = 0.0;
+    for (const auto& part : decomposition.parts) total_area += part.area;
+    for (std::size_t p = 0; p < decomposition.parts.size(); ++p) {
+        nlohmann::json part = index::to_json(decomposition.parts[p], total_area);
+        part["part"] = p;
+        part["faces"] = face_counts[p];
+        parts.push_back(std::move(part));
+    }
+    double took_ms = 0.0;
+    for (const StageTime& time : times) took_ms += time.milliseconds;
+    return {{"name", std::filesystem::path(options.model_path).stem().string()},
+            {"method", options.method},
+            {"faces", faces.labels.size()},
+            {"parts", std::move(parts)},
+            {"stages_ms", index::to_json(times)},
+            {"took_ms", took_ms}};
+}
+
+Result<void> write_out(const std::string& out, const TriangleMesh& mesh,
+                       const Decomposition& decomposition, const Segmentation& faces) {
+    const std::string extension = std::filesystem::path(out).extension().string();
+    if (extension == ".seg") return write_file(out, to_seg(faces));
+    if (extension == ".ply") {
+        return write_file(out, index::coloured_ply(mesh, decomposition.segmentation));
+    }
+    if (extension == ".glb") {
+        const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
+        const Rig rig = make_rig(welded, decomposition.skeleton);
+        const std::string name = std::filesystem::path(out).stem().string();
+        return write_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
+    }
+    return {
+        ErrorCode::kInvalidArgument,
+        fmt::format("{}: parts are written as .seg (labels), .ply (colours) or .glb (a rig)", out)};
+}
+
+void print_parts(const nlohmann::json& document) {
+    std::cout << fmt::format("{}: {} parts of {} faces\n", document["name"].get<std::string>(),
+                             document["parts"].size(), document["faces"].get<std::size_t>());
+    Table table({{"part", Align::kRight},
+                 {"faces", Align::kRight},
+                 {"area", Align::kRight},
+                 {"branch", Align::kRight},
+                 {"touches"}});
+    for (const auto& part : document["parts"]) {
+        table.add_row(
+            {part["part"].dump(), part["faces"].dump(),
+             fmt::format("{:.1f} %", 100.0 * part["area_share"].get<double>()),
+             part["branch"].is_null() ? "-" : part["branch"].dump(),
+             fmt::format("{}", fmt::join(part["neighbors"].get<std::vector<int>>(), " "))});
+    }
+    std::cout << table.text();
+}
+
+Result<ExitCode> run(Options options, const Session& session) {
+    const Result<DecompositionMethod> method = parse_decomposition_method(options.method);
+    if (!method.ok()) return method.error();
+    options.decompose.method = *method;
+    Stopwatch watch;
+    const Result<ReadMeshResult> read = read_mesh(options.model_path);
+    if (!read.ok()) return read.error();
+    StageTimes times = {{"read", watch.lap_ms()}};
+    const Result<Decomposition> decomposition =
+        decompose(read->mesh, options.decompose, session.stop);
+    if (!decomposition.ok()) return decomposition.error();
+    times.insert(times.end(), decomposition->stage_times.begin(), decomposition->stage_times.end());
+    const Segmentation faces = face_segmentation(read->mesh, decomposition->segmentation);
+    for (const std::string& out : options.out) {
+        const auto written = write_out(out, read->mesh, *decomposition, faces);
+        if (!written.ok()) return written.error();
+    }
+    nlohmann::json document = document_of(*decomposition, faces, options, times);
+    std::vector<MeshWarning> warnings = read->warnings;
+    warnings.insert(warnings.end(), decomposition->warnings.begin(), decomposition->warnings.end());
+    document["warnings"] = index::to_json(warnings);
+    if (session.json) {
+        print_json(document);
+    } else {
+        print_parts(document);
+        for (const MeshWarning& warning : warnings) {
+            std::cerr << fmt::format("warning: {}: {}\n", warning.code, warning.message);
+        }
+    }
+    return ExitCode::kDone;
+}
+
+}  // namespace
+
+void add_segment(CLI::App& app, Session& session) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("segment", "Cut a model into the parts that people would see");
+    command->add_option("MODEL", options->model_path, "A model file")->required();
+    command
+        ->add_option("--out", options->out,
+                     "Write .seg (the part of each face, a line each), .ply (coloured by part) "
+                     "or .glb (rigged by the skeleton); may be given for each")
+        ->type_name("FILE")
+        ->expected(1)
+        ->take_all();
+    command
+        ->add_option("--parts", options->decompose.parts,
+                     "As many parts as this (default: as the shape suggests)")
+        ->check(CLI::Range(std::size_t{1}, kMaxParts))
+        ->type_name("K");
+    command
+        ->add_option("--method", options->method,
+                     "evidence (ours) or thesis (a part for each branch of the skeleton)")
+        ->check(CLI::IsMember({"evidence", "thesis"}))
+        ->capture_default_str();
+    command
+        ->add_option("--seed", options->decompose.seed,
+                     "thesis: of the random choice of surface points")
+        ->capture_default_str();
+    set_body(*command, session, [options, &session] { return run(*options, session); });
+}
+
+}  // namespace ossuary::cli

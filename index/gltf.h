@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/decomposition/rig.h"
+#include "engine/decomposition/segmentation.h"
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary::index {
+
+/// A rigged model as a binary glTF 2.0 file (.glb): one skinned mesh with a primitive and a colour
+/// for each part, the joints as nodes. Positions are float32.
+/// @param segmentation  the part of each triangle; @param rig  of the same mesh
+/// @pre the mesh has a triangle
+[[nodiscard]] std::string to_glb(const TriangleMesh& mesh, const Segmentation& segmentation,
+                                 const Rig& rig, std::string_view name);
+
+}  // namespace ossuary::index

@@ -1,0 +1,80 @@
+#include "index/model_segments.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "engine/decomposition/branch_mapping.h"
+#include "engine/mesh/measures.h"
+#include "engine/mesh/vertex_normals.h"
+#include "index/coloured_parts.h"
+#include "index/presentation.h"
+
+namespace ossuary::index {
+namespace {
+
+TriangleMesh mesh_of(const PreviewMesh& preview) {
+    TriangleMesh mesh;
+    for (std::size_t i = 0; i + 2 < preview.positions.size(); i += 3) {
+        mesh.vertices.emplace_back(static_cast<double>(preview.positions[i]),
+                                   static_cast<double>(preview.positions[i + 1]),
+                                   static_cast<double>(preview.positions[i + 2]));
+    }
+    for (std::size_t i = 0; i + 2 < preview.triangles.size(); i += 3) {
+        mesh.face_of_triangle.push_back(mesh.face_count++);
+        mesh.triangles.push_back(
+            {preview.triangles[i], preview.triangles[i + 1], preview.triangles[i + 2]});
+    }
+    return mesh;
+}
+
+void name_branches(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
+                   ModelSegments& segments) {
+    for (auto& part : segments.parts) part.branch = -1;
+    if (skeleton.branches.empty()) return;
+    const BranchMapping mapping(skeleton);
+    const std::vector<Vec3> normals = triangle_normals(mesh);
+    std::vector<std::map<std::uint32_t, double>> areas(segments.parts.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = mesh.corners(t);
+        const std::uint32_t branch = mapping.branch_of((a + b + c) / 3.0, normals[t]);
+        areas[segments.labels[t]][branch] += triangle_area(mesh, t);
+    }
+    for (std::size_t p = 0; p < areas.size(); ++p) {
+        double largest = 0.0;
+        for (const auto& [branch, area] : areas[p]) {
+            if (area <= largest) continue;
+            largest = area;
+            segments.parts[p].branch = static_cast<std::int32_t>(branch);
+        }
+    }
+}
+
+}  // namespace
+
+Result<ModelSegments> model_segments(const PreviewMesh& preview, const SkeletonGraph& skeleton,
+                                     std::stop_token stop) {
+    const TriangleMesh mesh = mesh_of(preview);
+    Result<Decomposition> decomposition = decompose(mesh, {}, stop);
+    if (!decomposition.ok()) return decomposition.error();
+    ModelSegments segments{std::move(decomposition->parts),
+                           std::move(decomposition->segmentation.labels)};
+    name_branches(mesh, skeleton, segments);
+    return segments;
+}
+
+nlohmann::json to_json(const ModelSegments& segments) {
+    double total_area = 0.0;
+    for (const auto& part : segments.parts) total_area += part.area;
+    nlohmann::json parts = nlohmann::json::array();
+    for (std::size_t p = 0; p < segments.parts.size(); ++p) {
+        nlohmann::json part = to_json(segments.parts[p], total_area);
+        const auto colour = part_colour(static_cast<std::uint32_t>(p));
+        part["part"] = p;
+        part["colour"] = fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+        parts.push_back(std::move(part));
+    }
+    return {{"parts", std::move(parts)}, {"labels", segments.labels}};
+}
+
+}  // namespace ossuary::index
