@@ -68,6 +68,11 @@ node_is_new_enough() {
 # PATH, npm brings one into build/node, for this project alone.
 ensure_node() {
     local local_node=$PWD/build/node
+    local certificates=/etc/ssl/certs/ca-certificates.crt
+    # A Node.js from npm knows its own certificates only; Debian's knows the machine's.
+    if [[ -z ${NODE_EXTRA_CA_CERTS:-} && -f $certificates ]]; then
+        export NODE_EXTRA_CA_CERTS=$certificates
+    fi
     if [[ -d $local_node/bin ]]; then
         PATH=$local_node/bin:$PATH
         export PATH
