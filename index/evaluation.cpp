@@ -120,7 +120,7 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection, const Ran
 /// The statistics of just the evaluated models, as if nothing else were in the index.
 CollectionStatistics statistics_for(const Snapshot& snapshot, const Selection& selection,
                                     DescriptorSpan descriptors, const RankOptions& rank) {
-    if (rank.ranker != RankerKind::kHybrid) return {};
+    if (rank.ranker == RankerKind::kChainCode) return {};
     bool whole = selection.positions.size() == snapshot.size();
     for (std::size_t i = 0; whole && i < selection.positions.size(); ++i) {
         whole = selection.positions[i] == i;

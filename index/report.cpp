@@ -1,8 +1,10 @@
 #include "index/report.h"
 
+#include <algorithm>
 #include <cassert>
 #include <fstream>
 
+#include "engine/ranking/bootstrap.h"
 #include "index/report_text.h"
 
 namespace ossuary::index {
@@ -21,6 +23,7 @@ table { border-collapse: collapse; } caption { text-align: left; padding-bottom:
 th, td { padding: .2rem .6rem; text-align: right; border-bottom: 1px solid #e3e6ea; }
 th:first-child, td:first-child { text-align: left; }
 thead th { border-bottom: 2px solid #9aa4b0; font-weight: 600; }
+td small { display: block; color: #5a6470; }
 .confusion th, .confusion td { padding: .1rem .25rem; font-size: .75rem; min-width: 1.6rem;
        text-align: center; border: 0; }
 .confusion tbody th { text-align: right; white-space: nowrap; }
@@ -58,6 +61,61 @@ std::string table_row(std::string_view name, std::size_t models, const Retrieval
         html += "<td>" + fixed(metrics.*measure.value, 3) + "</td>";
     }
     return html + "</tr>\n";
+}
+
+/// A table of the means over all queries with their intervals.
+std::string interval_table(std::span<const Evaluation> evaluations) {
+    std::string html =
+        "<div class=\"wide\"><table><caption>In brackets the 95 % interval of the "
+        "bootstrap over queries</caption>" +
+        table_head("Ranker", "Models") + "<tbody>\n";
+    for (const Evaluation& evaluation : evaluations) {
+        html += "<tr><th scope=\"row\">" + markup_text(evaluation_title(evaluation)) + "</th><td>" +
+                std::to_string(evaluation.report.models) + "</td>";
+        for (const Measure& measure : kMeasures) {
+            const BootstrapMean found = bootstrap_measure(evaluation.report, measure.value);
+            html += "<td>" + fixed(found.mean, 3) + "<small>[" + fixed(found.low, 3) + ", " +
+                    fixed(found.high, 3) + "]</small></td>";
+        }
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+bool same_queries(const RetrievalReport& a, const RetrievalReport& b) {
+    return std::equal(
+        a.per_query.begin(), a.per_query.end(), b.per_query.begin(), b.per_query.end(),
+        [](const QueryMetrics& x, const QueryMetrics& y) { return x.model == y.model; });
+}
+
+/// Calls body(first, second) for each two evaluations that can be compared query by query.
+template <typename Body>
+void for_each_pair(std::span<const Evaluation> evaluations, const Body& body) {
+    for (std::size_t i = 0; i < evaluations.size(); ++i) {
+        for (std::size_t j = i + 1; j < evaluations.size(); ++j) {
+            if (!same_queries(evaluations[i].report, evaluations[j].report)) continue;
+            body(evaluations[i], evaluations[j]);
+        }
+    }
+}
+
+std::string comparison_rows(std::span<const Evaluation> evaluations) {
+    std::string html;
+    for_each_pair(evaluations, [&](const Evaluation& first, const Evaluation& second) {
+        html += "<tr><th scope=\"row\">" + markup_text(evaluation_title(second)) + " against " +
+                markup_text(evaluation_title(first)) + "</th><td>" +
+                std::to_string(first.report.models) + "</td>";
+        for (const Measure& measure : kMeasures) {
+            const BootstrapMean gain =
+                bootstrap_difference(first.report, second.report, measure.value);
+            const bool certain = gain.low > 0.0 || gain.high < 0.0;
+            html += std::string(certain ? "<td><b>" : "<td>") + fixed(gain.mean, 3) +
+                    (certain ? "</b>" : "") + "<small>[" + fixed(gain.low, 3) + ", " +
+                    fixed(gain.high, 3) + "]</small></td>";
+        }
+        html += "</tr>\n";
+    });
+    return html;
 }
 
 std::string confusion_table(const RetrievalReport& report) {
@@ -137,6 +195,20 @@ std::string metrics_csv(std::span<const Evaluation> evaluations) {
     return csv;
 }
 
+std::string comparisons_csv(std::span<const Evaluation> evaluations) {
+    std::string csv = "first,second,measure,difference,low,high\n";
+    for_each_pair(evaluations, [&](const Evaluation& first, const Evaluation& second) {
+        for (const Measure& measure : kMeasures) {
+            const BootstrapMean gain =
+                bootstrap_difference(first.report, second.report, measure.value);
+            csv += csv_field(evaluation_title(first)) + "," + csv_field(evaluation_title(second)) +
+                   "," + measure.name + "," + shortest(gain.mean) + "," + shortest(gain.low) + "," +
+                   shortest(gain.high) + "\n";
+        }
+    });
+    return csv;
+}
+
 std::string report_html(std::span<const Evaluation> evaluations) {
     std::string html =
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
@@ -156,12 +228,14 @@ std::string report_html(std::span<const Evaluation> evaluations) {
         }
     }
     html += "<figure>" + precision_recall_svg(evaluations) + "</figure>\n<h2>All queries</h2>\n" +
-            "<div class=\"wide\"><table>" + table_head("Ranker", "Models") + "<tbody>\n";
-    for (const Evaluation& evaluation : evaluations) {
-        html += table_row(evaluation_title(evaluation), evaluation.report.models,
-                          evaluation.report.mean);
+            interval_table(evaluations);
+    if (const std::string rows = comparison_rows(evaluations); !rows.empty()) {
+        html +=
+            "<h2>Rankers against each other</h2>\n<div class=\"wide\"><table><caption>Gain "
+            "query by query with its 95 % bootstrap interval; bold where that leaves out "
+            "0</caption>" +
+            table_head("Rankers", "Models") + "<tbody>\n" + rows + "</tbody></table></div>\n";
     }
-    html += "</tbody></table></div>\n";
     for (const Evaluation& evaluation : evaluations) {
         html += "<h2>Classes: " + markup_text(evaluation_title(evaluation)) +
                 "</h2>\n<div class=\"wide\"><table>" + table_head("Class", "Models") + "<tbody>\n";
@@ -182,6 +256,7 @@ Result<void> write_report(const fs::path& folder, std::span<const Evaluation> ev
     const std::pair<const char*, std::string> files[] = {
         {"report.html", report_html(evaluations)},
         {"metrics.csv", metrics_csv(evaluations)},
+        {"comparisons.csv", comparisons_csv(evaluations)},
         {"precision-recall.csv", precision_recall_csv(evaluations)},
         {"precision-recall.svg", precision_recall_svg(evaluations)},
     };

@@ -144,10 +144,10 @@ Preselection::Preselection(DescriptorSpan collection) : count_(collection.size()
 std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signature,
                                                  std::size_t count) const {
     std::vector<std::uint8_t> query(kSignatureSize, 0);
-    std::transform(signature.begin(),
-                   signature.begin() +
-                       static_cast<std::ptrdiff_t>(std::min(signature.size(), kSignatureSize)),
-                   query.begin(), to_byte);
+    std::transform(
+        signature.begin(),
+        signature.begin() + static_cast<std::ptrdiff_t>(std::min(signature.size(), kSignatureSize)),
+        query.begin(), to_byte);
     // Distance and index in one number, so that selecting compares one.
     std::vector<std::uint64_t> order(count_);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -156,8 +156,7 @@ std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signatur
         order[i] = distance << 32 | i;
     }
     const std::size_t kept = std::min(count, count_);
-    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept),
-                     order.end());
+    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end());
     std::vector<std::uint32_t> indices;
     indices.reserve(kept);
     for (std::size_t i = 0; i < kept; ++i) {
@@ -171,8 +170,8 @@ std::vector<RankedModel> nearest_models(const ModelDescriptor& query, Descriptor
                                         const Preselection& preselection,
                                         const CollectionStatistics& statistics,
                                         const RankOptions& options, const NearestOptions& nearest) {
-    if (options.ranker == RankerKind::kChainCode ||
-        collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals) {
+    if (options.ranker == RankerKind::kChainCode || collection.size() <= nearest.exhaustive_below ||
+        10 * nearest.count > nearest.by_globals) {
         return all_models(query, collection, statistics, options, nearest.count);
     }
     assert(preselection.size() == collection.size());

@@ -9,10 +9,10 @@
 
 namespace ossuary {
 
-/// The signatures of a collection in one block of memory, a byte a value, for an exact scan: 100,000
-/// of them are 26 MB and take a few milliseconds. On the Princeton collections the L1 distance of
-/// bytes finds the nearest models better than the Euclidean one of floats (first tier of all 19
-/// classes .692 against .650).
+/// The signatures of a collection in one block of memory, a byte a value, for an exact scan:
+/// 100,000 of them are 26 MB and take a few milliseconds. On the Princeton collections the L1
+/// distance of bytes finds the nearest models better than the Euclidean one of floats (first tier
+/// of all 19 classes .692 against .650).
 class Preselection {
 public:
     Preselection() = default;

@@ -26,7 +26,8 @@ std::vector<ModelDescriptor> originals() {
     std::vector<ModelDescriptor> models;
     if (const auto folder = test::benchmark_data()) {
         std::vector<std::filesystem::path> files;
-        for (const auto& entry : std::filesystem::directory_iterator(*folder / "princeton-segmentation" / "off")) {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(*folder / "princeton-segmentation" / "off")) {
             files.push_back(entry.path());
         }
         std::sort(files.begin(), files.end());
@@ -87,8 +88,7 @@ const Collection& collection_of(std::size_t size) {
         collection.models.push_back(perturbed(kOriginals[i % kOriginals.size()], i));
     }
     for (std::size_t i = 0; i < kQueries; ++i) {
-        collection.queries.push_back(
-            perturbed(kOriginals[(i * 37) % kOriginals.size()], size + i));
+        collection.queries.push_back(perturbed(kOriginals[(i * 37) % kOriginals.size()], size + i));
     }
     for (const ModelDescriptor& model : collection.models) collection.pointers.push_back(&model);
     collection.preselection = Preselection(collection.pointers);
@@ -120,9 +120,9 @@ void time_search(benchmark::State& state, std::size_t size) {
     const Collection& collection = collection_of(size);
     std::size_t query = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            nearest_models(collection.queries[query++ % kQueries], collection.pointers,
-                           collection.preselection, collection.statistics, {}));
+        benchmark::DoNotOptimize(nearest_models(collection.queries[query++ % kQueries],
+                                                collection.pointers, collection.preselection,
+                                                collection.statistics, {}));
     }
     state.counters["recall_at_10"] = recall(collection);
 }

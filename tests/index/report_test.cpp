@@ -95,6 +95,21 @@ TEST(Report, ListsMetricsOverallAndByClass) {
     EXPECT_NE(csv.find("skeleton,true,\"a, \"\"b\"\" <c>\",4,"), std::string::npos);
 }
 
+TEST(Report, ComparesRankersOfTheSameQueries) {
+    std::vector<Evaluation> evaluations = two();
+    evaluations[1].report.per_query = evaluations[0].report.per_query;
+    for (QueryMetrics& query : evaluations[1].report.per_query) query.metrics.dcg += 0.25;
+    const std::string csv = comparisons_csv(evaluations);
+    EXPECT_EQ(count(csv, "\n"), 1U + 6U);
+    const std::size_t at = csv.find(",dcg,");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NEAR(std::stod(csv.substr(at + 5)), 0.25, 1e-12);
+    EXPECT_NE(report_html(evaluations).find("Rankers against each other"), std::string::npos);
+
+    evaluations[1].report.per_query.pop_back();
+    EXPECT_EQ(count(comparisons_csv(evaluations), "\n"), 1U) << "other queries";
+}
+
 TEST(Report, IsOnePageThatNeedsNothingElse) {
     const std::string html = report_html(two());
     EXPECT_TRUE(is_balanced(html.substr(html.find("<html"))));

@@ -84,8 +84,8 @@ TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
     for (const bool rerank : {false, true}) {
         const RankOptions options{.rerank = rerank};
         const auto distances = rank_distances(*all[9], all, statistics, options);
-        const auto found = nearest_models(*all[9], all, preselection, statistics, options,
-                                          {.count = all.size()});
+        const auto found =
+            nearest_models(*all[9], all, preselection, statistics, options, {.count = all.size()});
         ASSERT_EQ(found.size(), all.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             EXPECT_EQ(found[i].distance, distances[found[i].index]);
