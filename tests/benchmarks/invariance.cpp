@@ -1,0 +1,147 @@
+// How often a changed copy of a model finds its original as the first hit: 100 models of the
+// Princeton segmentation benchmark as copies that are turned at random, have vertex noise of 0.2 %
+// of the bounding box' diagonal, are decimated to 30 % of their faces, mirrored, or scaled and
+// renumbered, each searched for among all 380 originals.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "engine/core/parallel.h"
+#include "engine/descriptor/describe.h"
+#include "engine/mesh/decimate.h"
+#include "engine/mesh/measures.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/ranking/classification.h"
+#include "engine/ranking/ranker.h"
+#include "tests/support/benchmark_data.h"
+
+namespace {
+
+using namespace ossuary;
+using Random = std::mt19937_64;
+
+constexpr std::size_t kCopies = 100;
+
+void turn(TriangleMesh& mesh, Random& random) {
+    std::normal_distribution<double> normal;
+    Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
+    const Mat3 rotation = q.normalized().toRotationMatrix();
+    for (Vec3& vertex : mesh.vertices) vertex = rotation * vertex;
+}
+
+void add_noise(TriangleMesh& mesh, Random& random) {
+    std::normal_distribution<double> normal(0.0, 0.002 * measure(mesh).diagonal);
+    for (Vec3& vertex : mesh.vertices) {
+        vertex += Vec3(normal(random), normal(random), normal(random));
+    }
+}
+
+void decimate_to_30_percent(TriangleMesh& mesh, Random&) {
+    DecimateOptions options;
+    options.max_triangles = mesh.triangles.size() * 3 / 10;
+    mesh = decimate(mesh, options);
+}
+
+void mirror(TriangleMesh& mesh, Random&) {
+    for (Vec3& vertex : mesh.vertices) vertex.x() = -vertex.x();
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+}
+
+void scale_and_renumber(TriangleMesh& mesh, Random& random) {
+    std::vector<std::uint32_t> place(mesh.vertices.size());
+    for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
+    std::shuffle(place.begin(), place.end(), random);
+    std::vector<Vec3> vertices(mesh.vertices.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        vertices[place[i]] = 2.7 * mesh.vertices[i] + Vec3(3, 4, 5);
+    }
+    mesh.vertices = std::move(vertices);
+    for (auto& triangle : mesh.triangles) {
+        for (auto& vertex : triangle) vertex = place[vertex];
+    }
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+}
+
+struct Change {
+    const char* name;
+    void (*apply)(TriangleMesh&, Random&);
+};
+constexpr Change kChanges[] = {{"turned", turn},
+                               {"noise", add_noise},
+                               {"decimated", decimate_to_30_percent},
+                               {"mirrored", mirror},
+                               {"scaled", scale_and_renumber}};
+
+TriangleMesh read(const std::filesystem::path& folder, const std::string& id) {
+    Result<ReadMeshResult> read = read_mesh(folder / (id + ".off"));
+    if (!read) throw std::runtime_error(read.error().message);
+    return std::move(read->mesh);
+}
+
+ModelDescriptor describe_mesh(const TriangleMesh& mesh) {
+    Result<Description> description = describe(mesh);
+    if (!description) throw std::runtime_error(description.error().message);
+    return std::move(description->descriptor);
+}
+
+/// Models nearer to a copy than its original is; exact duplicates of the original are not nearer.
+std::size_t models_before(const std::vector<double>& distances, std::size_t original) {
+    return static_cast<std::size_t>(
+        std::count_if(distances.begin(), distances.end(),
+                      [&](double distance) { return distance < distances[original]; }));
+}
+
+void run(const std::filesystem::path& collection, const RankOptions& options) {
+    const auto classes = read_classification(collection / "segmentation-all.cla");
+    if (!classes) throw std::runtime_error(classes.error().message);
+    const auto models = models_in_order(*classes);
+    std::vector<ModelDescriptor> originals(models.size());
+    parallel_for(models.size(), options.jobs, [&](std::size_t i) {
+        originals[i] = describe_mesh(read(collection / "off", models[i].id));
+    });
+    std::vector<const ModelDescriptor*> pointers;
+    for (const ModelDescriptor& original : originals) pointers.push_back(&original);
+    const auto statistics = collection_statistics(pointers, options.jobs);
+    RankOptions one_thread = options;
+    one_thread.jobs = 1;
+    for (const Change& change : kChanges) {
+        std::vector<std::size_t> before(kCopies);
+        parallel_for(kCopies, options.jobs, [&](std::size_t copy) {
+            const std::size_t original = copy * models.size() / kCopies;
+            Random random(copy);
+            TriangleMesh mesh = read(collection / "off", models[original].id);
+            change.apply(mesh, random);
+            before[copy] = models_before(
+                rank_distances(describe_mesh(mesh), pointers, statistics, one_thread), original);
+        });
+        const auto first = std::count(before.begin(), before.end(), std::size_t{0});
+        std::cout << fmt::format("{:<10} {:>4} of {} first\n", change.name, first, kCopies)
+                  << std::flush;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto data = test::benchmark_data();
+    const Result<RankerKind> ranker = parse_ranker(argc > 1 ? argv[1] : "skeleton");
+    if (!data || !ranker || argc > 2) {
+        std::cerr << "usage: ossuary_invariance [RANKER], with OSSUARY_DATA set to the folder of "
+                     "princeton-segmentation/\n";
+        return 2;
+    }
+    RankOptions options;
+    options.ranker = *ranker;
+    options.jobs = 2;
+    try {
+        run(*data / "princeton-segmentation", options);
+    } catch (const std::exception& error) {
+        std::cerr << "ossuary_invariance: " << error.what() << '\n';
+        return 1;
+    }
+}
