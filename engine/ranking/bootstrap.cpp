@@ -37,15 +37,14 @@ BootstrapMean bootstrap_mean(std::span<const double> values) {
     return {sum / count, means[kResamples / 40], means[kResamples - 1 - kResamples / 40]};
 }
 
-BootstrapMean bootstrap_measure(const RetrievalReport& report,
-                                double RetrievalMetrics::* measure) {
+BootstrapMean bootstrap_measure(const RetrievalReport& report, double RetrievalMetrics::*measure) {
     std::vector<double> values;
     for (const QueryMetrics& query : report.per_query) values.push_back(query.metrics.*measure);
     return bootstrap_mean(values);
 }
 
 BootstrapMean bootstrap_difference(const RetrievalReport& first, const RetrievalReport& second,
-                                   double RetrievalMetrics::* measure) {
+                                   double RetrievalMetrics::*measure) {
     assert(first.per_query.size() == second.per_query.size());
     std::vector<double> values;
     for (std::size_t i = 0; i < first.per_query.size(); ++i) {

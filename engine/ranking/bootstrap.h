@@ -20,13 +20,13 @@ struct BootstrapMean {
 
 /// A measure over a report's queries.
 [[nodiscard]] BootstrapMean bootstrap_measure(const RetrievalReport& report,
-                                              double RetrievalMetrics::* measure);
+                                              double RetrievalMetrics::*measure);
 
 /// How much better `second` is than `first` in a measure, query by query, so that what makes some
 /// queries hard for both does not widen the interval.
 /// @pre both reports are of the same queries in the same order
 [[nodiscard]] BootstrapMean bootstrap_difference(const RetrievalReport& first,
                                                  const RetrievalReport& second,
-                                                 double RetrievalMetrics::* measure);
+                                                 double RetrievalMetrics::*measure);
 
 }  // namespace ossuary
