@@ -26,7 +26,7 @@ std::vector<std::uint8_t> view_spectra(const SolidSurface& surface);
 
 /// For each frame the least sum of absolute differences over the six ways of assigning the three
 /// axes of one to those of the other, because axes of similar length change places between similar
-/// shapes (5 points of first tier on the shape benchmark); both frames added. Symmetric.
+/// shapes (2 points of first tier on the shape benchmark); both frames added. Symmetric.
 /// @pre both are of kViewSpectraSize bytes
 [[nodiscard]] double view_distance(std::span<const std::uint8_t> a,
                                    std::span<const std::uint8_t> b);
