@@ -50,7 +50,11 @@ std::vector<float> views_part(const std::vector<std::uint8_t>& bytes) {
         const std::uint8_t* at = bytes.data() + view * kViewSize;
         std::size_t out = 0;
         for (const std::size_t image : {std::size_t{0}, kPanoramaSpectrum}) {
-            for (std::size_t i = 0; i < 15; ++i) sums[out++] += at[image + (i / 5) * 16 + i % 5];
+            for (std::size_t row = 0; row < 3; ++row) {
+                for (std::size_t column = 0; column < 5; ++column) {
+                    sums[out++] += at[image + row * 16 + column];
+                }
+            }
         }
         const std::uint8_t* depth = at + 2 * kPanoramaSpectrum;
         for (const std::size_t image : {std::size_t{0}, 2 * kDepthSpectrum}) {
