@@ -475,6 +475,7 @@ private:
 
     /// On the accepting thread, so without waiting for anything.
     void turn_away(Connection& connection) {
+        shared_.handler.refused();  // before the answer: who has that finds it counted
         const std::string id = shared_.new_id();
         Response response =
             to_response(problem(kOverloaded, "Too many connections are waiting."), "", id);
@@ -488,7 +489,6 @@ private:
         connection.set_write_deadline(Clock::now());
         connection.write(text.data(), text.size());
         connection.linger(std::chrono::milliseconds(0));
-        shared_.handler.refused();
     }
 
     Shared& shared_;
