@@ -17,22 +17,25 @@ ModelTimer::ModelTimer(double limit_seconds) : limit_(limit_seconds) {
 
 void ModelTimer::run(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
+    // The earliest not stopped yet; what was stopped stays listed until its worker leaves.
+    const auto pending = [this] {
+        return std::find_if(deadlines_.begin(), deadlines_.end(),
+                            [](const auto& entry) { return !entry.second.stop_requested(); });
+    };
     while (!stop.stop_requested()) {
-        if (deadlines_.empty()) {
-            changed_.wait(lock, stop, [this] { return !deadlines_.empty(); });
+        const auto next = pending();
+        if (next == deadlines_.end()) {
+            changed_.wait(lock, stop, [&] { return pending() != deadlines_.end(); });
             continue;
         }
-        const Clock::time_point first = deadlines_.begin()->first;
+        const Clock::time_point first = next->first;
         changed_.wait_until(lock, stop, first, [&] {
-            return deadlines_.empty() || deadlines_.begin()->first != first;
+            const auto now_next = pending();
+            return now_next == deadlines_.end() || now_next->first != first;
         });
         for (auto& [deadline, source] : deadlines_) {
             if (deadline > Clock::now()) break;
             source.request_stop();
-        }
-        // What was stopped stays listed until its worker notices; look again a little later.
-        if (!deadlines_.empty() && deadlines_.begin()->first <= Clock::now()) {
-            changed_.wait_for(lock, stop, std::chrono::milliseconds(50), [] { return false; });
         }
     }
 }
