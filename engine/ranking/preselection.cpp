@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/core/parallel.h"
 #include "engine/descriptor/byte_distance.h"
 #include "engine/descriptor/signature.h"
+#include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/rerank.h"
 
@@ -16,20 +16,9 @@ namespace {
 
 /// A signature's values are at most 0.4 for the Princeton models.
 constexpr float kByteScale = 600.0F;
-constexpr std::size_t kBlock = 64;
 
 std::uint8_t to_byte(float value) {
     return static_cast<std::uint8_t>(std::clamp(std::round(kByteScale * value), 0.0F, 255.0F));
-}
-
-/// Calls body(meter, i) for each i below count, in blocks that share a meter.
-template <typename Body>
-void for_each_with_meter(std::size_t count, const RankOptions& options, const Body& body) {
-    parallel_for((count + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
-        PairMeter meter(options);
-        const std::size_t end = std::min(count, (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < end; ++i) body(meter, i);
-    });
 }
 
 void keep_nearest(std::vector<RankedModel>& models, std::size_t count) {

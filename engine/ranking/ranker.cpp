@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/core/parallel.h"
+#include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/normalization.h"
 #include "engine/ranking/pair_distances.h"
@@ -13,9 +14,6 @@
 
 namespace ossuary {
 namespace {
-
-/// Models that one task of a row measures.
-constexpr std::size_t kBlock = 32;
 
 std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
                                      const RankOptions& options) {
@@ -26,16 +24,6 @@ std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalizat
         sides[i] = fusion_side(*collection[i], scale, options.ranker);
     });
     return sides;
-}
-
-/// Calls body(meter, j) for each j below count, in blocks that share a meter.
-template <typename Body>
-void for_each_with_meter(std::size_t count, const RankOptions& options, const Body& body) {
-    parallel_for((count + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
-        PairMeter meter(options);
-        const std::size_t end = std::min(count, (block + 1) * kBlock);
-        for (std::size_t j = block * kBlock; j < end; ++j) body(meter, j);
-    });
 }
 
 /// The side of a query: known to the statistics, or to be judged by its own row.
