@@ -73,6 +73,10 @@ Result<void> check_rank_options(const RankOptions& options) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.pose) + ", expected a number from 0 to 1"};
     }
+    if (options.part && options.rerank) {
+        return {ErrorCode::kInvalidArgument,
+                "rerank: not together with part; what holds the same part need not be alike"};
+    }
     return {};
 }
 

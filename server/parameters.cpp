@@ -138,6 +138,10 @@ RankOptions read_rank_options(ParameterReader& reader, bool with_rerank) {
     }
     options.pose = reader.number("pose", 0.0, 1.0).value_or(options.pose);
     if (with_rerank) options.rerank = reader.boolean("rerank").value_or(options.rerank);
+    options.part = reader.boolean("part").value_or(options.part);
+    if (options.part && options.rerank) {
+        reader.refuse("rerank", "`rerank` does not go together with `part`.");
+    }
     return options;
 }
 

@@ -42,7 +42,7 @@ private:
     std::optional<Problem> fault_;
 };
 
-/// `ranker`, `pose` and, where allowed, `rerank`.
+/// `ranker`, `pose`, `part` and, where allowed, `rerank`.
 RankOptions read_rank_options(ParameterReader& reader, bool with_rerank);
 
 /// `limit`, `class` and the above.

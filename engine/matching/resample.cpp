@@ -32,12 +32,10 @@ ResampledCurve resample(std::span<const Vec3> points, std::span<const double> ra
     return curve;
 }
 
-ResampledCurve resample_part(std::span<const float> coordinates, std::span<const float> radii,
-                             double from, double to, int max_steps) {
-    assert(coordinates.size() == 3 * radii.size() && radii.size() >= 2);
+ResampledCurve resample_evenly(std::span<const float> coordinates, std::span<const float> radii,
+                               double from, double to, int steps) {
+    assert(coordinates.size() == 3 * radii.size() && radii.size() >= 2 && steps >= 1);
     const auto last = static_cast<double>(radii.size() - 1);
-    const int wanted = static_cast<int>(std::round(last * std::abs(to - from)));
-    const int steps = std::clamp(wanted, 1, max_steps);
     ResampledCurve curve;
     for (int k = 0; k <= steps; ++k) {
         const double at = std::clamp(last * (from + (to - from) * k / steps), 0.0, last);
@@ -50,6 +48,13 @@ ResampledCurve resample_part(std::span<const float> coordinates, std::span<const
         if (k > 0) curve.length += (curve.points[k] - curve.points[k - 1]).norm();
     }
     return curve;
+}
+
+ResampledCurve resample_part(std::span<const float> coordinates, std::span<const float> radii,
+                             double from, double to, int max_steps) {
+    const auto last = static_cast<double>(radii.size() - 1);
+    const int wanted = static_cast<int>(std::round(last * std::abs(to - from)));
+    return resample_evenly(coordinates, radii, from, to, std::clamp(wanted, 1, max_steps));
 }
 
 }  // namespace ossuary

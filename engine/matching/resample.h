@@ -21,9 +21,15 @@ struct ResampledCurve {
                                       double step, int max_samples);
 
 /// The part of an evenly spaced curve between two shares of its length, walked from `from` to `to`,
-/// at steps as near to the curve's own as possible and at most `max_steps` of them. The whole of a
-/// curve with no more steps comes back unchanged or reversed.
+/// in `steps` equal steps.
 /// @param coordinates  x y z of each point
+/// @pre at least two points, steps >= 1
+[[nodiscard]] ResampledCurve resample_evenly(std::span<const float> coordinates,
+                                             std::span<const float> radii, double from, double to,
+                                             int steps);
+
+/// The same at steps as near to the curve's own as possible and at most `max_steps` of them. The
+/// whole of a curve with no more steps comes back unchanged or reversed.
 [[nodiscard]] ResampledCurve resample_part(std::span<const float> coordinates,
                                            std::span<const float> radii, double from, double to,
                                            int max_steps);

@@ -4,11 +4,28 @@
 #include <cassert>
 #include <limits>
 
+#include "engine/matching/pose_distance.h"
+
 namespace ossuary {
 
 std::string_view component_name(std::size_t component) {
     assert(component < kComponentCount);
     return component == 0 ? "skeleton" : kGlobalDescriptorKinds[component - 1].name;
+}
+
+double PairMeter::pose_weight() const {
+    constexpr double kNone = RankOptions{}.pose;
+    constexpr double kFull = 2.0;
+    return kFull * std::max(0.0, skeleton_options_.pose - kNone) / (1.0 - kNone);
+}
+
+double PairMeter::skeleton(const ModelDescriptor& a, const ModelDescriptor& b) {
+    const double weight = pose_weight();
+    if (weight <= 0.0) {
+        return skeleton_distance(a.skeleton, b.skeleton, skeleton_options_, skeleton_workspace_);
+    }
+    const Match match = match_skeletons(a.skeleton, b.skeleton, skeleton_options_);
+    return match.distance + weight * pose_distance(a.skeleton, b.skeleton, match.correspondence);
 }
 
 ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {

@@ -42,9 +42,11 @@ public:
         return chain_code_distance(a.skeleton, b.skeleton, chain_code_options_,
                                    chain_code_workspace_);
     }
-    [[nodiscard]] double skeleton(const ModelDescriptor& a, const ModelDescriptor& b) {
-        return skeleton_distance(a.skeleton, b.skeleton, skeleton_options_, skeleton_workspace_);
-    }
+    /// The tree edit distance and, beyond the default `pose`, how differently the two stand.
+    [[nodiscard]] double skeleton(const ModelDescriptor& a, const ModelDescriptor& b);
+    /// Of pose_distance beside the tree edit distance: none up to the default `pose`, because it
+    /// says nothing of the class and costs as much as the tree edit distance.
+    [[nodiscard]] double pose_weight() const;
     /// The components that the ranker fuses, each in its own unit; 0 for the others.
     [[nodiscard]] ComponentValues components(const ModelDescriptor& a, const ModelDescriptor& b);
     /// The same without the first, which costs twenty times the others together: 0 in its place.

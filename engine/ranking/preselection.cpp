@@ -159,8 +159,8 @@ std::vector<RankedModel> nearest_models(const ModelDescriptor& query, Descriptor
                                         const Preselection& preselection,
                                         const CollectionStatistics& statistics,
                                         const RankOptions& options, const NearestOptions& nearest) {
-    if (options.ranker == RankerKind::kChainCode || collection.size() <= nearest.exhaustive_below ||
-        10 * nearest.count > nearest.by_globals) {
+    if (options.part || options.ranker == RankerKind::kChainCode ||
+        collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals) {
         return all_models(query, collection, statistics, options, nearest.count);
     }
     assert(preselection.size() == collection.size());

@@ -45,9 +45,9 @@ struct NearestOptions {
 
 /// The nearest models of a large collection, nearest first, equal distances by index: a scan of all
 /// signatures, the global descriptors of what is left, then the ranker's own distance of the
-/// finalists, bit by bit that of rank_distances. The thesis' `chain-code`, more than a tenth of the
-/// finalists wanted, and small collections are measured exhaustively. With `rerank` the nearest 200
-/// finalists change places among themselves.
+/// finalists, bit by bit that of rank_distances. The thesis' `chain-code`, parts, more than a tenth
+/// of the finalists wanted, and small collections are measured exhaustively. With `rerank` the
+/// nearest 200 finalists change places among themselves.
 /// @param preselection  of this collection
 std::vector<RankedModel> nearest_models(const ModelDescriptor& query, DescriptorSpan collection,
                                         const Preselection& preselection,

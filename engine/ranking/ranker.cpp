@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "engine/core/parallel.h"
+#include "engine/matching/pose_distance.h"
 #include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/normalization.h"
 #include "engine/ranking/pair_distances.h"
+#include "engine/ranking/part_search.h"
 #include "engine/ranking/rerank.h"
 
 namespace ossuary {
@@ -130,6 +132,8 @@ Result<RankerKind> parse_ranker(std::string_view name) {
 std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options) {
+    assert(!(options.part && options.rerank));
+    if (options.part) return part_distances(query, collection, options);
     const Normalization normalization(statistics);
     const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options);
     std::vector<double> distances = row_distances(query, collection, normalization, sides, options);
@@ -148,6 +152,7 @@ std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan 
 
 DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
                                const RankOptions& options) {
+    assert(!options.part);
     const std::size_t n = collection.size();
     DistanceMatrix matrix;
     matrix.size = n;
@@ -181,11 +186,18 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
 
 Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
               const CollectionStatistics& statistics, const RankOptions& options) {
+    if (options.part) return explain_part(query, other, options);
     PairMeter meter(options);
     if (options.ranker == RankerKind::kChainCode) {
         return match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options());
     }
     Match match = match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
+    if (const double weight = meter.pose_weight(); weight > 0.0) {
+        const double pose =
+            weight * pose_distance(query.skeleton, other.skeleton, match.correspondence);
+        match.parts.push_back({"pose", pose});
+        match.distance += pose;
+    }
     const Normalization normalization(statistics);
     const FusionSide a = fusion_side(query, normalization.scale(query), options.ranker);
     const FusionSide b = fusion_side(other, normalization.scale(other), options.ranker);

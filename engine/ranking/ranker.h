@@ -26,6 +26,9 @@ struct RankOptions {
     RankerKind ranker = RankerKind::kHybrid;
     double pose = 0.15;   ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
     bool rerank = false;  ///< unsupervised re-ranking over the collection
+    /// The query is looked for as a part of each model (match_part.h), by skeletons alone, whatever
+    /// the ranker; not together with `rerank`.
+    bool part = false;
     int jobs = 1;
 };
 
@@ -61,6 +64,7 @@ std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan 
                                    const RankOptions& options = {});
 
 /// All pairs at once, what `evaluate` uses; row i equals rank_distances of model i.
+/// @pre not `part`
 DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
                                const RankOptions& options = {});
 

@@ -99,6 +99,7 @@ void add_compare(CLI::App& app, Session& session) {
         ->type_name("FILE");
     options->pipeline.add_to(*command);
     options->ranking.add_to(*command, RankingOptions::Count::kOne, false);
+    options->ranking.add_part_to(*command, "How far B is from having A as a part");
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }
 

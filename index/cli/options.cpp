@@ -68,6 +68,13 @@ void RankingOptions::add_to(CLI::App& command, Count count, bool with_rerank) {
     }
 }
 
+void RankingOptions::add_part_to(CLI::App& command, const std::string& help) {
+    CLI::Option* option = command.add_flag("--part", part, help);
+    for (const char* other : {"--ranker", "--rerank"}) {
+        if (CLI::Option* found = command.get_option_no_throw(other)) option->excludes(found);
+    }
+}
+
 Result<std::vector<RankOptions>> RankingOptions::rank_options(int jobs) const {
     std::vector<RankOptions> all;
     for (const std::string& name : rankers) {
@@ -77,6 +84,7 @@ Result<std::vector<RankOptions>> RankingOptions::rank_options(int jobs) const {
         options.ranker = *ranker;
         options.pose = pose;
         options.rerank = rerank;
+        options.part = part;
         options.jobs = jobs;
         all.push_back(options);
     }

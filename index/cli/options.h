@@ -24,14 +24,17 @@ struct PipelineOptions {
         const index::IndexParameters& defaults = {}) const;
 };
 
-/// --ranker, --pose and --rerank.
+/// --ranker, --pose, --rerank and --part.
 struct RankingOptions {
     std::vector<std::string> rankers = {"hybrid"};
     double pose = RankOptions{}.pose;
     bool rerank = false;
+    bool part = false;
 
     enum class Count { kOne, kSeveral };
     void add_to(CLI::App& command, Count count, bool with_rerank);
+    /// @param help  what it means here
+    void add_part_to(CLI::App& command, const std::string& help);
     /// One set of options for each ranker named.
     [[nodiscard]] Result<std::vector<RankOptions>> rank_options(int jobs) const;
 };

@@ -87,6 +87,8 @@ void add_search(CLI::App& app, Session& session) {
         ->capture_default_str();
     command->add_option("--class", options->class_filter, "Only hits of this class");
     options->ranking.add_to(*command, RankingOptions::Count::kOne, true);
+    options->ranking.add_part_to(*command,
+                                 "Find models that have the query as a part: an arm finds people");
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }
 
