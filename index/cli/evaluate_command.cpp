@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -8,12 +9,15 @@
 #include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/evaluation.h"
+#include "index/pose_gallery.h"
 #include "index/presentation.h"
 #include "index/report.h"
 #include "index/searcher.h"
 
 namespace ossuary::cli {
 namespace {
+
+constexpr std::size_t kPosesOfAClass = 5;
 
 struct Options {
     std::string index_path;
@@ -56,8 +60,8 @@ void print_evaluation(const index::Evaluation& evaluation) {
     std::cout << table.text();
 }
 
-Result<std::vector<index::Evaluation>> evaluate_all(const Options& options,
-                                                    const Session& session) {
+Result<std::vector<index::Evaluation>> evaluate_all(const Options& options, const Session& session,
+                                                    const index::Snapshot& snapshot) {
     const Result<std::vector<RankOptions>> ranks = options.ranking.rank_options(session.jobs);
     if (!ranks.ok()) return ranks.error();
     index::EvaluateOptions evaluate_options;
@@ -66,25 +70,45 @@ Result<std::vector<index::Evaluation>> evaluate_all(const Options& options,
         if (!classes.ok()) return classes.error();
         evaluate_options.classification = *std::move(classes);
     }
-    Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
-    if (!searcher.ok()) return searcher.error();
-    const auto snapshot = searcher->snapshot();
-    if (!snapshot.ok()) return snapshot.error();
     std::vector<index::Evaluation> evaluations;
     for (const RankOptions& rank : *ranks) {
         evaluate_options.rank = rank;
-        Result<index::Evaluation> evaluation = index::evaluate(**snapshot, evaluate_options);
+        Result<index::Evaluation> evaluation = index::evaluate(snapshot, evaluate_options);
         if (!evaluation.ok()) return evaluation.error();
         evaluations.push_back(*std::move(evaluation));
     }
     return evaluations;
 }
 
+/// The report, and pictures of what pose does for rankers that know it.
+Result<void> write_reports(const Options& options, const Session& session, index::Store& store,
+                           const index::Snapshot& snapshot,
+                           const std::vector<index::Evaluation>& evaluations) {
+    const auto written = index::write_report(options.report_folder, evaluations);
+    if (!written.ok()) return written.error();
+    std::cerr << fmt::format("report written to {}/report.html\n", options.report_folder);
+    const auto knows_pose = [](const index::Evaluation& evaluation) {
+        return evaluation.ranker != RankerKind::kChainCode;
+    };
+    if (std::none_of(evaluations.begin(), evaluations.end(), knows_pose)) return {};
+    const auto examples =
+        index::pose_examples(snapshot, evaluations.front(), kPosesOfAClass, session.jobs);
+    const auto poses = index::write_pose_gallery(options.report_folder, store, examples);
+    if (!poses.ok()) return poses.error();
+    std::cerr << fmt::format("models in like poses in {}/poses.html\n", options.report_folder);
+    return {};
+}
+
 Result<ExitCode> run(const Options& options, const Session& session) {
     if (!options.matrix_path.empty() && options.ranking.rankers.size() > 1) {
         return {ErrorCode::kInvalidArgument, "--matrix holds one ranker's distances: name one"};
     }
-    const Result<std::vector<index::Evaluation>> evaluations = evaluate_all(options, session);
+    Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
+    if (!searcher.ok()) return searcher.error();
+    const auto snapshot = searcher->snapshot();
+    if (!snapshot.ok()) return snapshot.error();
+    const Result<std::vector<index::Evaluation>> evaluations =
+        evaluate_all(options, session, **snapshot);
     if (!evaluations.ok()) return evaluations.error();
     if (!options.matrix_path.empty()) {
         const auto written =
@@ -92,9 +116,9 @@ Result<ExitCode> run(const Options& options, const Session& session) {
         if (!written.ok()) return written.error();
     }
     if (!options.report_folder.empty()) {
-        const auto written = index::write_report(options.report_folder, *evaluations);
+        const auto written =
+            write_reports(options, session, searcher->store(), **snapshot, *evaluations);
         if (!written.ok()) return written.error();
-        std::cerr << fmt::format("report written to {}/report.html\n", options.report_folder);
     }
     if (!session.json) {
         for (const index::Evaluation& evaluation : *evaluations) print_evaluation(evaluation);
@@ -127,7 +151,7 @@ void add_evaluate(CLI::App& app, Session& session) {
         ->type_name("OUT");
     command
         ->add_option("--out", options->report_folder,
-                     "Write a report (HTML, CSV, SVG) into this folder")
+                     "Write a report (HTML, CSV, SVG, pictures of like poses) into this folder")
         ->type_name("DIR");
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }

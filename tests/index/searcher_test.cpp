@@ -7,6 +7,7 @@
 #include "engine/mesh/read_mesh.h"
 #include "index/evaluation.h"
 #include "index/indexer.h"
+#include "index/pose_gallery.h"
 #include "index/presentation.h"
 #include "tests/index/sample_index.h"
 
@@ -296,6 +297,75 @@ TEST_F(SearcherTest, EvaluatesJustTheModelsOfAClassificationInItsOrder) {
     EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kClaUnknownModel);
     options.classification = *parse_classification("PSB 1\n2 2\nx 0 1\n1\ny 0 1\n2\n", "x.cla");
     EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kInvalidArgument);
+}
+
+TEST_F(SearcherTest, ExplainsAPairAlikeInASearchAndInAComparison) {
+    Searcher searcher = open();
+    for (const RankerKind ranker : kAllRankers) {
+        for (const bool part : {false, true}) {
+            SearchOptions options;
+            options.rank.ranker = ranker;
+            options.rank.part = part;
+            const auto result = searcher.similar(2, options);
+            ASSERT_TRUE(result);
+            ASSERT_EQ(result->hits.size(), 8U);
+            for (const Hit& hit : result->hits) {
+                const nlohmann::json shown = to_json(hit);
+                const nlohmann::json compared =
+                    to_json(*searcher.compare(2, hit.id, options.rank), options.rank);
+                for (const char* field : {"distance", "parts", "matched_nodes", "match"}) {
+                    EXPECT_EQ(shown[field], compared[field]) << to_string(ranker) << ' ' << field;
+                }
+                double sum = 0.0;
+                for (const auto& [name, value] : shown["parts"].items()) sum += value.get<double>();
+                EXPECT_NEAR(sum, hit.distance, 1e-4) << to_string(ranker);
+                std::size_t clustered = 0;
+                for (const std::uint32_t size : hit.match.cluster_sizes) clustered += size;
+                EXPECT_EQ(clustered, hit.matched_nodes);
+                EXPECT_EQ(hit.match.nodes.size(), hit.matched_nodes);
+            }
+        }
+    }
+}
+
+TEST_F(SearcherTest, FindsAModelFirstAsAPartOfItself) {
+    Searcher searcher = open();
+    SearchOptions options;
+    options.rank.part = true;
+    const auto result = searcher.search(mesh("01_tree.off"), options);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->hits[0].name, "01_tree");
+    EXPECT_NEAR(result->hits[0].distance, 0.0, 1e-5);
+    options.rank.rerank = true;
+    EXPECT_EQ(searcher.search(mesh("01_tree.off"), options).error().code,
+              ErrorCode::kInvalidArgument);
+}
+
+TEST_F(SearcherTest, ShowsModelsBesideTheNearestOfTheirClassByBuildAndByPose) {
+    Searcher searcher = open();
+    const auto snapshot = *searcher.snapshot();
+    const auto evaluation = *evaluate(*snapshot);
+    const auto examples = pose_examples(*snapshot, evaluation, 2);
+    ASSERT_EQ(examples.size(), 6U);
+    for (const PoseExample& example : examples) {
+        for (const ModelId other : {example.by_build, example.by_pose}) {
+            EXPECT_NE(other, example.model);
+            EXPECT_EQ(searcher.store().model(other)->class_name, example.class_name);
+        }
+    }
+    const auto html = pose_gallery_html(searcher.store(), examples);
+    ASSERT_TRUE(html) << html.error().message;
+    std::size_t pictures = 0;
+    for (std::size_t at = html->find("<img"); at != std::string::npos;
+         at = html->find("<img", at + 1)) {
+        ++pictures;
+        // A PNG's first bytes, so that the text is its bytes.
+        EXPECT_NE(html->find("base64,iVBORw0KGgo", at), std::string::npos);
+    }
+    EXPECT_EQ(pictures, 18U);
+    const fs::path out = folder_->path() / "report";
+    ASSERT_TRUE(write_pose_gallery(out, searcher.store(), examples));
+    EXPECT_EQ(test::read_file(out / "poses.html"), *html);
 }
 
 TEST_F(SearcherTest, KeepsEvaluationsUntilTheIndexChanges) {
