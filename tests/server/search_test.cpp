@@ -62,6 +62,20 @@ TEST_F(Search, DescribesQueryRankerAndStages) {
     EXPECT_EQ(json["hits"][0]["matched_nodes"], json["hits"][0]["match"]["nodes"].size());
 }
 
+TEST_F(Search, LooksForTheQueryAsAPart) {
+    const nlohmann::json json = server_.json(post("/v1/search?part=true", tree()));
+    EXPECT_EQ(json["part"], true);
+    EXPECT_NEAR(json["hits"][0]["distance"].get<double>(), 0.0, 1e-5);
+    const std::string id = json["hits"][0]["id"].dump();
+    const nlohmann::json other = json["hits"][1];
+    const nlohmann::json compared =
+        server_.json(get("/v1/compare?part=true&a=" + id + "&b=" + other["id"].dump()));
+    EXPECT_EQ(compared["part"], true);
+    for (const char* field : {"distance", "parts", "matched_nodes", "match"}) {
+        EXPECT_EQ(compared[field], other[field]) << field;
+    }
+}
+
 TEST_F(Search, GivesAPreviewOfTheQueryWhenAsked) {
     const auto mesh =
         server_.json(post("/v1/search?include=mesh&limit=1", tree()))["query"]["mesh"];
@@ -116,6 +130,8 @@ TEST_F(Search, NamesTheParameterAtFault) {
     }
     EXPECT_EQ(fault("ranker=best"), "parameter_invalid:ranker");
     EXPECT_EQ(fault("rerank=yes"), "parameter_invalid:rerank");
+    EXPECT_EQ(fault("part=1"), "parameter_invalid:part");
+    EXPECT_EQ(fault("part=true&rerank=true"), "parameter_invalid:rerank");
     EXPECT_EQ(fault("include=everything"), "parameter_invalid:include");
     EXPECT_EQ(fault("class="), "parameter_invalid:class");
     EXPECT_EQ(fault("limits=3"), "parameter_unknown:limits");

@@ -123,6 +123,70 @@ TEST(RetrievalMetrics, CountOnlyTheFirst32ResultsInTheEMeasure) {
     EXPECT_DOUBLE_EQ(report.per_query[0].metrics.second_tier, 2.0 / 9.0);  // ranks 1 to 18
 }
 
+/// The definitions of the Princeton Shape Benchmark (Shilane et al., 2004, sec. 4), computed from
+/// each model's place alone and without the code under test.
+RetrievalMetrics by_definition(const DistanceMatrix& matrix, const std::vector<std::string>& labels,
+                               std::size_t query) {
+    std::vector<double> places;  // of the models of the query's class, 1-based
+    for (std::size_t model = 0; model < matrix.size; ++model) {
+        if (model == query || labels[model] != labels[query]) continue;
+        double place = 1.0;
+        for (std::size_t other = 0; other < matrix.size; ++other) {
+            if (other == query || other == model) continue;
+            if (matrix.at(query, other) < matrix.at(query, model)) place += 1.0;
+        }
+        places.push_back(place);
+    }
+    std::sort(places.begin(), places.end());
+    const auto size = static_cast<double>(places.size());  // |C| - 1
+    const auto share_within = [&](double length) {
+        return static_cast<double>(std::count_if(places.begin(), places.end(),
+                                                 [&](double place) { return place <= length; })) /
+               size;
+    };
+    RetrievalMetrics metrics;
+    metrics.nearest_neighbor = places.front() == 1.0 ? 1.0 : 0.0;
+    metrics.first_tier = share_within(size);
+    metrics.second_tier = share_within(2.0 * size);
+    const double page = std::min(32.0, static_cast<double>(matrix.size - 1));
+    const double recall = share_within(page);
+    const double precision = recall * size / page;
+    metrics.e_measure = recall > 0.0 ? 2.0 / (1.0 / precision + 1.0 / recall) : 0.0;
+    double ideal = 1.0;
+    for (double rank = 2.0; rank <= size; rank += 1.0) ideal += 1.0 / std::log2(rank);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        metrics.dcg += (places[i] == 1.0 ? 1.0 : 1.0 / std::log2(places[i])) / ideal;
+        metrics.mean_average_precision += static_cast<double>(i + 1) / places[i] / size;
+    }
+    return metrics;
+}
+
+TEST(RetrievalMetrics, AreThoseOfTheDefinitionsOnRandomMatrices) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> noise(0.0F, 1.0F);
+    for (const std::size_t models : {7U, 33U, 34U, 90U}) {
+        DistanceMatrix matrix;
+        matrix.size = models;
+        std::vector<std::string> labels;
+        for (std::size_t i = 0; i < models; ++i) labels.push_back(std::to_string(i * i % 3));
+        for (std::size_t i = 0; i < models * models; ++i) {
+            const bool alike = labels[i / models] == labels[i % models];
+            matrix.values.push_back(noise(random) * (alike ? 0.7F : 1.0F));
+        }
+        const RetrievalReport report = evaluate_retrieval(matrix, labels);
+        ASSERT_EQ(report.per_query.size(), models);
+        for (const QueryMetrics& query : report.per_query) {
+            const RetrievalMetrics expected = by_definition(matrix, labels, query.model);
+            for (const auto measure :
+                 {&RetrievalMetrics::nearest_neighbor, &RetrievalMetrics::first_tier,
+                  &RetrievalMetrics::second_tier, &RetrievalMetrics::e_measure,
+                  &RetrievalMetrics::dcg, &RetrievalMetrics::mean_average_precision}) {
+                EXPECT_NEAR(query.metrics.*measure, expected.*measure, 1e-12);
+            }
+        }
+    }
+}
+
 TEST(RetrievalMetrics, ArePerfectForClassesThatLieApart) {
     DistanceMatrix matrix;
     matrix.size = 30;

@@ -155,6 +155,29 @@ TEST_F(CommandLineTest, SearchWithABadModelIsStatusOneWithItsCodeAndLine) {
     EXPECT_THAT(result.err, AllOf(HasSubstr("off_index_out_of_range"), HasSubstr("line 6")));
 }
 
+TEST_F(CommandLineTest, SearchesForAPart) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const ProgramResult result =
+        run({"search", "--index", index_file(), model_files()[1], "--part", "--json"});
+    ASSERT_EQ(result.exit_status, 0) << result.err;
+    const nlohmann::json found = result.json();
+    EXPECT_EQ(found.at("part"), true);
+    EXPECT_EQ(found.at("hits").at(0).at("name"), model_files()[1].stem().string());
+    EXPECT_NEAR(found.at("hits").at(0).at("distance").get<double>(), 0.0, 1e-5);
+    const nlohmann::json compared = run({"compare", model_files()[1], model_files()[2], "--part",
+                                         "--resolution", "24", "--json"})
+                                        .json();
+    for (const nlohmann::json& hit : found.at("hits")) {
+        if (hit.at("name") != model_files()[2].stem().string()) continue;
+        for (const char* field : {"distance", "parts", "matched_nodes", "match"}) {
+            EXPECT_EQ(hit.at(field), compared.at(field)) << field;
+        }
+    }
+    EXPECT_EQ(run({"search", "--index", index_file(), model_files()[1], "--part", "--rerank"})
+                  .exit_status,
+              2);
+}
+
 TEST_F(CommandLineTest, CompareOfAModelWithItselfIsZeroAndSymmetricOtherwise) {
     const auto files = model_files();
     const auto distance = [&](std::size_t a, std::size_t b) {
