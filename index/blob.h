@@ -17,7 +17,7 @@ struct BlobKind {
 };
 
 inline constexpr BlobKind kSkeletonBlob{"SKEL", 1};
-inline constexpr BlobKind kDescriptorBlob{"DESC", 2};
+inline constexpr BlobKind kDescriptorBlob{"DESC", 3};
 inline constexpr BlobKind kGlobalsBlob{"GLOB", 2};
 inline constexpr BlobKind kSignatureBlob{"SIGN", 1};
 inline constexpr BlobKind kPreviewBlob{"MESH", 1};

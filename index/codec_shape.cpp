@@ -1,4 +1,4 @@
-// The blobs of one model: skeleton, descriptors, preview and thumbnail.
+// The blobs of one model: skeleton, global descriptors, signature, preview and thumbnail.
 
 #include <algorithm>
 #include <cmath>
@@ -99,70 +99,6 @@ Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
     if (!reader.ok() || !reader.at_end()) return corrupt(kSkeletonBlob, "wrong length");
     if (!finite) return corrupt(kSkeletonBlob, "a number that is not finite");
     return graph;
-}
-
-std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
-    ByteWriter writer;
-    writer.put(descriptor.solid_volume);
-    writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
-    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
-        for (const float coordinate : node.position) writer.put(coordinate);
-        writer.put(node.radius);
-        writer.put(node.significance);
-    }
-    writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
-    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
-        writer.put(branch.a);
-        writer.put(branch.b);
-        writer.put(branch.length);
-        writer.put_text(branch.chain_code);
-        writer.put(static_cast<std::uint32_t>(branch.radii.size()));
-        writer.put_all<float>(branch.points);
-        writer.put_all<float>(branch.radii);
-    }
-    return seal_blob(kDescriptorBlob, writer.bytes());
-}
-
-Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
-    const auto payload = open_blob(kDescriptorBlob, blob);
-    if (!payload) return payload.error();
-    ByteReader reader(*payload);
-    SkeletonDescriptor descriptor;
-    if (blob_version(blob) >= 2) descriptor.solid_volume = reader.get<float>();
-    descriptor.nodes.resize(reader.get_count(20));
-    bool finite = std::isfinite(descriptor.solid_volume);
-    for (SkeletonDescriptor::Node& node : descriptor.nodes) {
-        for (float& coordinate : node.position) {
-            coordinate = reader.get<float>();
-            finite = finite && std::isfinite(coordinate);
-        }
-        node.radius = reader.get<float>();
-        node.significance = reader.get<float>();
-        finite = finite && std::isfinite(node.radius) && std::isfinite(node.significance);
-    }
-    descriptor.branches.resize(reader.get_count(20 + 2 * 16));
-    for (SkeletonDescriptor::Branch& branch : descriptor.branches) {
-        branch.a = reader.get<std::uint32_t>();
-        branch.b = reader.get<std::uint32_t>();
-        branch.length = reader.get<float>();
-        branch.chain_code = reader.get_text();
-        const std::uint32_t samples = reader.get_count(16);
-        branch.points = reader.get_all<float>(std::size_t{3} * samples);
-        branch.radii = reader.get_all<float>(samples);
-        if (!reader.ok()) break;
-        if (samples < 2) return corrupt(kDescriptorBlob, "a branch of fewer than two points");
-        if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
-            return corrupt(kDescriptorBlob, "a branch ends at a node that is not there");
-        }
-        if (branch.chain_code.find_first_not_of("01234") != std::string::npos) {
-            return corrupt(kDescriptorBlob, "a chain code with other digits than 0 to 4");
-        }
-        finite = finite && std::isfinite(branch.length) && all_finite(branch.points) &&
-                 all_finite(branch.radii);
-    }
-    if (!reader.ok() || !reader.at_end()) return corrupt(kDescriptorBlob, "wrong length");
-    if (!finite) return corrupt(kDescriptorBlob, "a number that is not finite");
-    return descriptor;
 }
 
 std::string encode_globals(const std::vector<GlobalDescriptor>& globals) {

@@ -18,8 +18,8 @@ struct PartMatchOptions {
     /// How large the part may be beside the whole, over its scale: candidates from `largest` down,
     /// each `ratio` times the one before.
     double largest = 1.0;
-    double ratio = 0.8;
-    int candidates = 8;
+    double ratio = 0.86;
+    int candidates = 11;
     /// Added to the distance for each halving of the part: small copies of it fit everywhere.
     double shrinking = 0.05;
 };

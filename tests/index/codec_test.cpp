@@ -142,16 +142,96 @@ std::string sealed_as(const BlobKind& kind, std::uint8_t version, std::string_vi
     return seal_blob({kind.mark, version}, payload);
 }
 
-TEST(EarlierVersions, OfDescriptorsHaveNoVolume) {
-    const SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
-    const std::string today = encode_descriptor(descriptor);
-    const std::string_view payload =
-        std::string_view(today).substr(kBlobHeaderSize, today.size() - 16);
-    const auto read = decode_descriptor(sealed_as(kDescriptorBlob, 1, payload.substr(4)));
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->solid_volume, 0.0F);
-    EXPECT_EQ(read->nodes.size(), descriptor.nodes.size());
-    EXPECT_EQ(read->branches.size(), descriptor.branches.size());
+/// A descriptor's blob as versions 1 and 2 had it.
+std::string earlier_descriptor(const SkeletonDescriptor& descriptor, std::uint8_t version) {
+    ByteWriter writer;
+    if (version == 2) writer.put(descriptor.solid_volume);
+    writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
+    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+        for (const float coordinate : node.position) writer.put(coordinate);
+        writer.put(node.radius);
+        writer.put(node.significance);
+    }
+    writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
+    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+        writer.put(branch.a);
+        writer.put(branch.b);
+        writer.put(branch.length);
+        writer.put_text(branch.chain_code);
+        writer.put(static_cast<std::uint32_t>(branch.radii.size()));
+        writer.put_all<float>(branch.points);
+        writer.put_all<float>(branch.radii);
+    }
+    return sealed_as(kDescriptorBlob, version, writer.bytes());
+}
+
+TEST(EarlierVersions, OfDescriptorsAreReadInFull) {
+    SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
+    const auto second = decode_descriptor(earlier_descriptor(descriptor, 2));
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_EQ(encode_descriptor(*second), encode_descriptor(descriptor));
+    const auto first = decode_descriptor(earlier_descriptor(descriptor, 1));
+    ASSERT_TRUE(first) << first.error().message;
+    EXPECT_EQ(first->solid_volume, 0.0F) << "version 1 has none";
+    descriptor.solid_volume = 0.0F;
+    EXPECT_EQ(encode_descriptor(*first), encode_descriptor(descriptor));
+}
+
+/// A branch between two nodes with `samples` samples, its ends at the nodes where `exact`.
+SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool exact) {
+    SkeletonDescriptor descriptor;
+    descriptor.nodes.resize(2);
+    descriptor.nodes[0] = {{0.25F, -0.0F, 1.0F}, 0.5F, 0.5F};
+    descriptor.nodes[1] = {{1.25F, 2.0F, -1.0F}, 0.125F, 0.5F};
+    SkeletonDescriptor::Branch branch;
+    branch.a = 0;
+    branch.b = 1;
+    branch.length = 3.0F;
+    for (std::size_t i = 0; i < digits; ++i) {
+        branch.chain_code += static_cast<char>('0' + i * i % 5);
+    }
+    for (std::size_t i = 0; i < samples; ++i) {
+        const bool at_end = exact && (i == 0 || i + 1 == samples);
+        const auto& node = descriptor.nodes[i == 0 ? 0 : 1];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            branch.points.push_back(at_end ? node.position[axis] : 0.1F * static_cast<float>(i));
+        }
+        branch.radii.push_back(at_end ? node.radius : 0.01F);
+    }
+    descriptor.branches.push_back(branch);
+    return descriptor;
+}
+
+TEST(Codec, LeavesOutWhatADescriptorSaysTwiceAndGivesItBackBitByBit) {
+    for (const std::size_t digits : {0U, 1U, 2U, 3U, 4U, 200U, 70'000U}) {
+        for (const std::size_t samples : {2U, 3U, 40U}) {
+            for (const bool exact : {true, false}) {
+                const SkeletonDescriptor descriptor = one_branch(samples, digits, exact);
+                const std::string blob = encode_descriptor(descriptor);
+                const auto read = decode_descriptor(blob);
+                ASSERT_TRUE(read) << read.error().message;
+                EXPECT_EQ(earlier_descriptor(*read, 2), earlier_descriptor(descriptor, 2));
+                const std::size_t stored = exact ? samples - 2 : samples;
+                EXPECT_LE(blob.size(), 100 + 16 * stored + digits / 3 + 1);
+            }
+        }
+    }
+    SkeletonDescriptor nearly = one_branch(3, 5, true);
+    nearly.branches[0].points[1] = 0.0F;  // the node has -0
+    EXPECT_EQ(earlier_descriptor(*decode_descriptor(encode_descriptor(nearly)), 2),
+              earlier_descriptor(nearly, 2));
+}
+
+TEST(Codec, RefusesPackedDigitsThatStandForNone) {
+    const std::string blob = encode_descriptor(one_branch(2, 2, true));
+    std::string payload = blob.substr(kBlobHeaderSize, blob.size() - 16);
+    // The last bytes are the digits and the number of samples.
+    char& digits = payload[payload.size() - 3];
+    ASSERT_TRUE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload)));
+    for (const int byte : {125, 255, 1}) {  // 1: a third digit where there are two
+        digits = static_cast<char>(byte);
+        EXPECT_FALSE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload))) << byte;
+    }
 }
 
 TEST(EarlierVersions, OfGlobalsKeepNamesAndLengths) {

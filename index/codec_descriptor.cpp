@@ -1,0 +1,228 @@
+// The blob of a skeleton's descriptor.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "index/blob.h"
+#include "index/bytes.h"
+#include "index/codec.h"
+
+namespace ossuary::index {
+
+namespace {
+
+using Branch = SkeletonDescriptor::Branch;
+
+/// How a branch is written: ends that are its nodes are left out, small numbers take 16 bits. For
+/// the Princeton models this is a seventh less than writing all in full, a third less for the
+/// largest.
+enum Layout : std::uint8_t { kFromNodeA = 1, kToNodeB = 2, kWide = 4, kAllLayouts = 7 };
+
+constexpr std::size_t kDigitsOfByte = 3;
+constexpr unsigned kDigits = 5;
+constexpr std::size_t kSmallestBranch = 13;
+
+Error corrupt(std::string_view what) {
+    return {ErrorCode::kIndexCorrupt,
+            std::string(kDescriptorBlob.mark) + " blob: " + std::string(what)};
+}
+
+bool sample_is_node(const Branch& branch, std::size_t sample,
+                    const SkeletonDescriptor::Node& node) {
+    // By their bits: -0 is not 0.
+    const auto same = [](float x, float y) {
+        return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+    };
+    const auto first = branch.points.begin() + static_cast<std::ptrdiff_t>(3 * sample);
+    return std::equal(node.position.begin(), node.position.end(), first, same) &&
+           same(branch.radii[sample], node.radius);
+}
+
+std::uint8_t layout_of(const SkeletonDescriptor& descriptor, const Branch& branch) {
+    constexpr std::size_t kNarrow = 0xFFFF;
+    std::uint8_t layout = 0;
+    const std::size_t nodes = descriptor.nodes.size();
+    if (branch.radii.size() >= 2 && branch.a < nodes && branch.b < nodes) {
+        if (sample_is_node(branch, 0, descriptor.nodes[branch.a])) layout |= kFromNodeA;
+        if (sample_is_node(branch, branch.radii.size() - 1, descriptor.nodes[branch.b])) {
+            layout |= kToNodeB;
+        }
+    }
+    if (std::max({std::size_t{branch.a}, std::size_t{branch.b}, branch.chain_code.size(),
+                  branch.radii.size()}) > kNarrow) {
+        layout |= kWide;
+    }
+    return layout;
+}
+
+void put_number(ByteWriter& writer, std::uint8_t layout, std::size_t number) {
+    if ((layout & kWide) != 0) {
+        writer.put(static_cast<std::uint32_t>(number));
+    } else {
+        writer.put(static_cast<std::uint16_t>(number));
+    }
+}
+
+std::uint32_t get_number(ByteReader& reader, std::uint8_t layout) {
+    return (layout & kWide) != 0 ? reader.get<std::uint32_t>() : reader.get<std::uint16_t>();
+}
+
+/// Three digits a byte, the first counting most; what is missing in the last byte is 0.
+void put_digits(ByteWriter& writer, std::string_view digits) {
+    for (std::size_t at = 0; at < digits.size(); at += kDigitsOfByte) {
+        unsigned byte = 0;
+        for (std::size_t i = at; i < at + kDigitsOfByte; ++i) {
+            const char digit = i < digits.size() ? digits[i] : '0';
+            byte = kDigits * byte + static_cast<unsigned>(digit - '0');
+        }
+        writer.put(static_cast<std::uint8_t>(byte));
+    }
+}
+
+/// False where a byte stands for no three digits.
+bool get_digits(ByteReader& reader, std::size_t count, std::string& digits) {
+    const std::string_view packed = reader.get_raw((count + kDigitsOfByte - 1) / kDigitsOfByte);
+    for (const char c : packed) {
+        const auto byte = static_cast<unsigned>(static_cast<unsigned char>(c));
+        if (byte >= kDigits * kDigits * kDigits) return false;
+        for (const unsigned unit : {kDigits * kDigits, kDigits, 1U}) {
+            digits += static_cast<char>('0' + byte / unit % kDigits);
+        }
+    }
+    if (digits.size() < count) return reader.ok();
+    const bool padded = digits.find_first_not_of('0', count) == std::string::npos;
+    digits.resize(count);
+    return padded;
+}
+
+void put_branch(ByteWriter& writer, const SkeletonDescriptor& descriptor, const Branch& branch) {
+    const std::uint8_t layout = layout_of(descriptor, branch);
+    const std::size_t first = (layout & kFromNodeA) != 0 ? 1 : 0;
+    const std::size_t last = branch.radii.size() - ((layout & kToNodeB) != 0 ? 1 : 0);
+    writer.put(layout);
+    put_number(writer, layout, branch.a);
+    put_number(writer, layout, branch.b);
+    writer.put(branch.length);
+    put_number(writer, layout, branch.chain_code.size());
+    put_digits(writer, branch.chain_code);
+    put_number(writer, layout, branch.radii.size());
+    writer.put_all<float>(std::span(branch.points).subspan(3 * first, 3 * (last - first)));
+    writer.put_all<float>(std::span(branch.radii).subspan(first, last - first));
+}
+
+/// The samples of a branch of which `layout` says that its ends are left out.
+/// @pre a and b are nodes of the descriptor, count is at least 2
+void get_samples(ByteReader& reader, const SkeletonDescriptor& descriptor, std::uint8_t layout,
+                 std::size_t count, Branch& branch) {
+    const bool from_a = (layout & kFromNodeA) != 0;
+    const bool to_b = (layout & kToNodeB) != 0;
+    const std::size_t stored = count - (from_a ? 1 : 0) - (to_b ? 1 : 0);
+    branch.points = reader.get_all<float>(3 * stored);
+    branch.radii = reader.get_all<float>(stored);
+    if (!reader.ok()) return;
+    if (from_a) {
+        const SkeletonDescriptor::Node& a = descriptor.nodes[branch.a];
+        branch.points.insert(branch.points.begin(), a.position.begin(), a.position.end());
+        branch.radii.insert(branch.radii.begin(), a.radius);
+    }
+    if (to_b) {
+        const SkeletonDescriptor::Node& b = descriptor.nodes[branch.b];
+        branch.points.insert(branch.points.end(), b.position.begin(), b.position.end());
+        branch.radii.push_back(b.radius);
+    }
+}
+
+/// Versions 1 and 2: everything in full.
+Result<void> get_full_branch(ByteReader& reader, const SkeletonDescriptor& descriptor,
+                             Branch& branch) {
+    branch.a = reader.get<std::uint32_t>();
+    branch.b = reader.get<std::uint32_t>();
+    branch.length = reader.get<float>();
+    branch.chain_code = reader.get_text();
+    const std::uint32_t samples = reader.get_count(16);
+    branch.points = reader.get_all<float>(std::size_t{3} * samples);
+    branch.radii = reader.get_all<float>(samples);
+    if (!reader.ok()) return corrupt("wrong length");
+    if (samples < 2) return corrupt("a branch of fewer than two points");
+    if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
+        return corrupt("a branch ends at a node that is not there");
+    }
+    if (branch.chain_code.find_first_not_of("01234") != std::string::npos) {
+        return corrupt("a chain code with other digits than 0 to 4");
+    }
+    return {};
+}
+
+Result<void> get_branch(ByteReader& reader, const SkeletonDescriptor& descriptor, Branch& branch) {
+    const auto layout = reader.get<std::uint8_t>();
+    branch.a = get_number(reader, layout);
+    branch.b = get_number(reader, layout);
+    branch.length = reader.get<float>();
+    if (!get_digits(reader, get_number(reader, layout), branch.chain_code)) {
+        return corrupt("a chain code with other digits than 0 to 4");
+    }
+    const std::uint32_t samples = get_number(reader, layout);
+    if (!reader.ok()) return corrupt("wrong length");
+    if (layout > kAllLayouts) return corrupt("a branch of unknown layout");
+    if (samples < 2) return corrupt("a branch of fewer than two points");
+    if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
+        return corrupt("a branch ends at a node that is not there");
+    }
+    get_samples(reader, descriptor, layout, samples, branch);
+    if (!reader.ok()) return corrupt("wrong length");
+    return {};
+}
+
+template <typename T>
+bool all_finite(const T& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](float value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
+    ByteWriter writer;
+    writer.put(descriptor.solid_volume);
+    writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
+    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+        for (const float coordinate : node.position) writer.put(coordinate);
+        writer.put(node.radius);
+        writer.put(node.significance);
+    }
+    writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
+    for (const Branch& branch : descriptor.branches) put_branch(writer, descriptor, branch);
+    return seal_blob(kDescriptorBlob, writer.bytes());
+}
+
+Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
+    const auto payload = open_blob(kDescriptorBlob, blob);
+    if (!payload) return payload.error();
+    const std::uint8_t version = blob_version(blob);
+    ByteReader reader(*payload);
+    SkeletonDescriptor descriptor;
+    if (version >= 2) descriptor.solid_volume = reader.get<float>();
+    descriptor.nodes.resize(reader.get_count(20));
+    bool finite = std::isfinite(descriptor.solid_volume);
+    for (SkeletonDescriptor::Node& node : descriptor.nodes) {
+        for (float& coordinate : node.position) coordinate = reader.get<float>();
+        node.radius = reader.get<float>();
+        node.significance = reader.get<float>();
+        finite = finite && all_finite(node.position) && std::isfinite(node.radius) &&
+                 std::isfinite(node.significance);
+    }
+    descriptor.branches.resize(reader.get_count(version >= 3 ? kSmallestBranch : 20 + 2 * 16));
+    for (Branch& branch : descriptor.branches) {
+        const auto read = version >= 3 ? get_branch(reader, descriptor, branch)
+                                       : get_full_branch(reader, descriptor, branch);
+        if (!read) return read.error();
+        finite = finite && std::isfinite(branch.length) && all_finite(branch.points) &&
+                 all_finite(branch.radii);
+    }
+    if (!reader.ok() || !reader.at_end()) return corrupt("wrong length");
+    if (!finite) return corrupt("a number that is not finite");
+    return descriptor;
+}
+
+}  // namespace ossuary::index
