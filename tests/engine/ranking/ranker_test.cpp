@@ -270,5 +270,44 @@ TEST_F(Ranker, MeasuresBuildAloneWithoutPose) {
     }
 }
 
+TEST_F(Ranker, IsSymmetricBitByBitAndExplainsItselfWherePoseDecides) {
+    const auto models = test::built_collection(3, 3);
+    const auto collection = test::pointers(models);
+    const CollectionStatistics statistics = collection_statistics(collection);
+    for (const RankerKind ranker : {RankerKind::kSkeleton, RankerKind::kHybrid}) {
+        RankOptions options;
+        options.ranker = ranker;
+        options.pose = 1.0;
+        const DistanceMatrix matrix = distance_matrix(collection, statistics, options);
+        for (std::size_t i = 0; i < models.size(); ++i) {
+            const auto row = rank_distances(models[i], collection, statistics, options);
+            EXPECT_EQ(matrix.at(i, i), 0.0F);
+            for (std::size_t j = 0; j < models.size(); ++j) {
+                EXPECT_EQ(matrix.at(i, j), matrix.at(j, i));
+                EXPECT_EQ(matrix.at(i, j), static_cast<float>(row[j]));
+                const Match match = explain(models[i], models[j], statistics, options);
+                EXPECT_NEAR(match.distance, row[j], 1e-9);
+                double sum = 0.0;
+                for (const DistancePart& part : match.parts) sum += part.value;
+                EXPECT_NEAR(sum, match.distance, 1e-6);
+            }
+        }
+    }
+}
+
+TEST_F(Ranker, LooksForPartsAlikeForEveryNumberOfJobs) {
+    const auto models = test::built_collection(3, 3);
+    const auto collection = test::pointers(models);
+    RankOptions options;
+    options.part = true;
+    const auto alone = rank_distances(models[4], collection, {}, options);
+    options.jobs = 3;
+    EXPECT_EQ(rank_distances(models[4], collection, {}, options), alone);
+    EXPECT_NEAR(alone[4], 0.0, 1e-5);
+    for (std::size_t j = 0; j < models.size(); ++j) {
+        EXPECT_EQ(explain(models[4], models[j], {}, options).distance, alone[j]);
+    }
+}
+
 }  // namespace
 }  // namespace ossuary
