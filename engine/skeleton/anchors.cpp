@@ -110,7 +110,7 @@ void add_path(const std::vector<VoxelIndex>& path, Anchors& anchors) {
 Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
                      const ThinningOptions& options) {
     const PaddedShape shape(solid.size());
-    Anchors anchors{ThinningGrid(shape), 0, 0, true};
+    Anchors anchors{ThinningGrid(shape), true};
     const BlockGrid blocks(solid, distance, block_edge_for(solid));
     std::vector<VoxelIndex> centres;
     std::vector<VoxelIndex> centre_blocks;
@@ -119,7 +119,6 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
         centre_blocks.push_back(blocks.block_of(shape.position(centre.voxel)));
         anchors.voxels.set(centre.voxel);
     }
-    anchors.components = centres.size();
     if (centres.empty()) return anchors;
 
     const double coverage =
@@ -140,10 +139,7 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
     // Blocks above edge 2 may have joined what the solid does not: then the corridor is the solid.
     if (!layer) layer = reach_tips_through(ThinningGrid(solid));
     for (const VoxelIndex end : ends) {
-        const std::vector<VoxelIndex> path = layer->path_from(end, anchors.voxels);
-        if (path.empty()) continue;
-        add_path(path, anchors);
-        ++anchors.tips;
+        add_path(layer->path_from(end, anchors.voxels), anchors);
     }
     return anchors;
 }

@@ -39,7 +39,7 @@ Result<ThinningMethod> parse_thinning_method(std::string_view name) {
 
 BitVolume thin(const BitVolume& solid, const DistanceField& distance,
                const ThinningOptions& options) {
-    assert(solid.size() == distance.size());
+    assert(options.method == ThinningMethod::kParallel || solid.size() == distance.size());
     if (solid.voxel_count() == 0) return solid;
     ThinningGrid skeleton = options.method == ThinningMethod::kAnchored
                                 ? thin_anchored(solid, distance, options)

@@ -27,6 +27,7 @@ struct ThinningOptions {
 
 /// The curve skeleton of `solid` as voxels: a subset of it with the same components, tunnels and
 /// cavities (always), one voxel wide.
+/// @param distance  of `solid`; kParallel does not look at it, and any will do
 BitVolume thin(const BitVolume& solid, const DistanceField& distance,
                const ThinningOptions& options = {});
 

@@ -12,9 +12,10 @@ struct Tips {
 
 /// The tips of a solid. Paths from the centres follow the shortest way with step cost length / r^2.
 /// A tip is taken while some block x has min over path blocks t of
-/// geodesic(x, t) - radius_factor * r(t) above coverage_voxels: the farthest first, at most
-/// max_tips in all.
-/// @param centres  one block for each component
+/// geodesic(x, t) - radius_factor * r(t) above `coverage`: the farthest first, at most max_tips in
+/// all.
+/// @param centres   one block for each component
+/// @param coverage  in voxels
 Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
                const ThinningOptions& options);
 

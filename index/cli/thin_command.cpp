@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <memory>
+#include <vector>
 
 #include "engine/skeleton/thinning.h"
 #include "engine/voxel/betti.h"
@@ -17,7 +18,27 @@ struct Options {
     std::string in;
     std::string out;
     std::string method = "anchored";
+    int repeat = 1;
 };
+
+/// One thinning with what it needs, in milliseconds.
+struct Run {
+    BitVolume skeleton;
+    double distance_ms = 0.0;
+    double thin_ms = 0.0;
+    [[nodiscard]] double took_ms() const { return distance_ms + thin_ms; }
+};
+
+Run run_once(const BitVolume& solid, const ThinningOptions& options) {
+    Run run;
+    Stopwatch watch;
+    DistanceField distance;
+    if (options.method == ThinningMethod::kAnchored) distance = distance_transform(solid);
+    run.distance_ms = watch.lap_ms();
+    run.skeleton = thin(solid, distance, options);
+    run.thin_ms = watch.lap_ms();
+    return run;
+}
 
 nlohmann::json to_json(const BettiNumbers& betti) {
     return {
@@ -32,11 +53,13 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     const Result<BitVolume> solid = read_npy(options.in);
     if (!solid.ok()) return solid.error();
 
-    Stopwatch watch;
-    const DistanceField distance = distance_transform(*solid);
-    const double distance_ms = watch.lap_ms();
-    const BitVolume skeleton = thin(*solid, distance, thinning);
-    const double thin_ms = watch.lap_ms();
+    std::vector<double> runs_ms;
+    Run last;
+    for (int i = 0; i < options.repeat; ++i) {
+        last = run_once(*solid, thinning);
+        runs_ms.push_back(last.took_ms());
+    }
+    const BitVolume& skeleton = last.skeleton;
     if (const auto written = write_npy(skeleton, options.out); !written.ok()) {
         return written.error();
     }
@@ -50,16 +73,17 @@ Result<ExitCode> run(const Options& options, const Session& session) {
                     {"voxels_out", skeleton.count()},
                     {"betti_in", to_json(before)},
                     {"betti_out", to_json(after)},
-                    {"distance_transform_ms", distance_ms},
-                    {"thin_ms", thin_ms},
-                    {"took_ms", distance_ms + thin_ms}});
+                    {"distance_transform_ms", last.distance_ms},
+                    {"thin_ms", last.thin_ms},
+                    {"took_ms", last.took_ms()},
+                    {"runs_ms", runs_ms}});
     } else {
         std::cout << fmt::format(
             "{} -> {} voxels; {} components, {} tunnels, {} cavities; distance transform {:.1f} "
             "ms, "
             "thinning {:.1f} ms\n",
             solid->count(), skeleton.count(), after.components, after.tunnels, after.cavities,
-            distance_ms, thin_ms);
+            last.distance_ms, last.thin_ms);
     }
     if (before != after) {
         return {ErrorCode::kInternal, "thinning has changed the volume's topology"};
@@ -77,6 +101,11 @@ void add_thin(CLI::App& app, Session& session) {
     command->add_option("OUT", options->out, "The skeleton's voxels as .npy")->required();
     command->add_option("--method", options->method, "anchored (ours) or parallel (the thesis')")
         ->check(CLI::IsMember({"anchored", "parallel"}))
+        ->capture_default_str();
+    command
+        ->add_option("--repeat", options->repeat,
+                     "Thin this many times; times are the last run's, runs_ms has all")
+        ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }

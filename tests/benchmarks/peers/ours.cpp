@@ -1,7 +1,5 @@
 // Our side of the comparisons in this folder, on one thread: one JSON document a line on stdout.
-#include <fmt/format.h>
-
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,34 +16,36 @@ namespace {
 using namespace ossuary;
 
 constexpr const char* kUsage =
-    "usage: ossuary_peer_ours voxelize RESOLUTION FOLDER MODEL.off…   solids as FOLDER/NAME.npy\n"
-    "       ossuary_peer_ours skeletonize MODEL.off…                  mesh to refined skeleton\n";
+    "usage: ossuary_peer_ours voxelize RESOLUTION RUNS FOLDER MODEL.off…   solids as "
+    "FOLDER/NAME.npy\n"
+    "       ossuary_peer_ours skeletonize RUNS MODEL.off…                  mesh to refined "
+    "skeleton\n"
+    "RUNS runs of each model after one that warms up; runs_ms has them all but that one.\n";
 
-constexpr int kRuns = 5;
-
-/// Median milliseconds of kRuns runs.
+/// Milliseconds of each of `runs` runs after one that warms up.
 template <typename Work>
-double median_ms(Work&& work) {
+std::vector<double> time_runs(int runs, Work&& work) {
     std::vector<double> times;
-    for (int run = 0; run < kRuns; ++run) {
+    work();
+    for (int run = 0; run < runs; ++run) {
         Stopwatch watch;
         work();
         times.push_back(watch.lap_ms());
     }
-    std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
-    return times[kRuns / 2];
+    return times;
 }
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-nlohmann::json voxelize_one(const std::string& path, int resolution, const std::string& folder) {
+nlohmann::json voxelize_one(const std::string& path, int resolution, int runs,
+                            const std::string& folder) {
     const Result<ReadMeshResult> read = read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
     VoxelizeOptions options;
     options.resolution = resolution;
     Result<VoxelSolid> solid = voxelize(read->mesh, options);
     if (!solid) throw std::runtime_error(solid.error().message);
-    const double ms = median_ms([&] { solid = voxelize(read->mesh, options); });
+    const auto runs_ms = time_runs(runs, [&] { solid = voxelize(read->mesh, options); });
     const std::string out = folder + "/" + stem_of(path) + ".npy";
     if (const auto written = write_npy(solid->volume, out); !written) {
         throw std::runtime_error(written.error().message);
@@ -57,30 +57,32 @@ nlohmann::json voxelize_one(const std::string& path, int resolution, const std::
             {"method", solid->method},
             {"origin", {grid.origin.x(), grid.origin.y(), grid.origin.z()}},
             {"voxel_size", grid.voxel_size},
-            {"ms", ms}};
+            {"runs_ms", runs_ms}};
 }
 
-nlohmann::json skeletonize_one(const std::string& path) {
+nlohmann::json skeletonize_one(const std::string& path, int runs) {
     const Result<ReadMeshResult> read = read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
-    const double ms = median_ms([&] {
+    const auto runs_ms = time_runs(runs, [&] {
         if (const auto skeleton = skeletonize(read->mesh); !skeleton) {
             throw std::runtime_error(skeleton.error().message);
         }
     });
-    return {{"model", stem_of(path)}, {"faces", read->mesh.triangles.size()}, {"ms", ms}};
+    return {{"model", stem_of(path)}, {"faces", read->mesh.triangles.size()}, {"runs_ms", runs_ms}};
 }
 
 int run(const std::vector<std::string>& words) {
-    if (words.size() >= 4 && words[0] == "voxelize") {
-        for (std::size_t i = 3; i < words.size(); ++i) {
-            std::cout << voxelize_one(words[i], std::stoi(words[1]), words[2]).dump() << std::endl;
+    if (words.size() >= 5 && words[0] == "voxelize") {
+        for (std::size_t i = 4; i < words.size(); ++i) {
+            const auto document =
+                voxelize_one(words[i], std::stoi(words[1]), std::stoi(words[2]), words[3]);
+            std::cout << document.dump() << std::endl;
         }
         return 0;
     }
-    if (words.size() >= 2 && words[0] == "skeletonize") {
-        for (std::size_t i = 1; i < words.size(); ++i) {
-            std::cout << skeletonize_one(words[i]).dump() << std::endl;
+    if (words.size() >= 3 && words[0] == "skeletonize") {
+        for (std::size_t i = 2; i < words.size(); ++i) {
+            std::cout << skeletonize_one(words[i], std::stoi(words[1])).dump() << std::endl;
         }
         return 0;
     }

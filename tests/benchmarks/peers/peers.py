@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Compares stages of the skeleton engine with the fastest known libraries for the same work.
 
-Same input, same run, one thread each side, medians of five runs (one run of CGAL, whose times are
-seconds). Writes a CSV a comparison into --out. See README.md for the packages that this needs.
+Same input, same run, one thread each side, in memory that is warm: the median of five runs in one
+process after one that is not counted, each side's model by model (CGAL runs once, its times are
+seconds, and no first touch of memory tells). Writes a CSV a comparison into --out. See README.md for the packages that this needs.
 """
 
 import argparse
@@ -37,6 +38,7 @@ def document_of(command):
 
 
 def median_ms(work):
+    work()
     times = []
     for _ in range(RUNS):
         begin = time.perf_counter()
@@ -72,7 +74,8 @@ def compare_thinning(programs, models, scratch, out):
     for resolution in RESOLUTIONS:
         folder = scratch / f"solids-{resolution}"
         folder.mkdir(exist_ok=True)
-        for solid in lines_of([programs.ours, "voxelize", str(resolution), folder, *models]):
+        for solid in lines_of([programs.ours, "voxelize", str(resolution), "1", folder,
+                               *models]):
             volume = numpy.load(solid["solid"])
             skimage_ms, theirs = median_ms(lambda: skeletonize_3d(volume))
             theirs_path = scratch / "theirs.npy"
@@ -82,13 +85,13 @@ def compare_thinning(programs, models, scratch, out):
             row = {"model": solid["model"], "resolution": resolution, "voxels": solid["voxels"],
                    "skimage_ms": round(skimage_ms, 1), "skimage_betti": betti_text(betti_theirs)}
             for method in ("anchored", "parallel"):
-                runs = [document_of([programs.ossuary, "thin", solid["solid"], scratch / "o.npy",
-                                     "--method", method, "--json"]) for _ in range(RUNS)]
-                took = statistics.median(run["took_ms"] for run in runs)
+                mine = document_of([programs.ossuary, "thin", solid["solid"], scratch / "o.npy",
+                                    "--method", method, "--repeat", str(1 + RUNS), "--json"])
+                took = statistics.median(mine["runs_ms"][1:])
                 row[f"{method}_ms"] = round(took, 2)
                 row[f"{method}_ratio"] = round(skimage_ms / took, 1)
-                row[f"{method}_betti"] = betti_text(runs[0]["betti_out"])
-            row["betti_of_solid"] = betti_text(runs[0]["betti_in"])
+                row[f"{method}_betti"] = betti_text(mine["betti_out"])
+            row["betti_of_solid"] = betti_text(mine["betti_in"])
             rows.append(row)
         for method in ("anchored", "parallel"):
             print(f"thinning at {resolution}, {method}")
@@ -126,8 +129,10 @@ def compare_voxelization(programs, models, scratch, out):
     for resolution in RESOLUTIONS:
         folder = scratch / f"solids-{resolution}"
         folder.mkdir(exist_ok=True)
-        solids = lines_of([programs.ours, "voxelize", str(resolution), folder, *models])
-        for path, solid in zip(models, solids):
+        for path in models:
+            solid = lines_of([programs.ours, "voxelize", str(resolution), str(RUNS), folder,
+                              path])[0]
+            ours_ms = statistics.median(solid["runs_ms"])
             ours = numpy.load(solid["solid"]) > 0
             extent = [0, ours.shape[0] - 1, 0, ours.shape[1] - 1, 0, ours.shape[2] - 1]
             work = vtk_solid(polygons_of(path), solid["origin"], solid["voxel_size"], extent)
@@ -142,8 +147,8 @@ def compare_voxelization(programs, models, scratch, out):
             differing = int((ours != theirs).sum())
             rows.append({"model": solid["model"], "resolution": resolution,
                          "voxels": solid["voxels"], "method": solid["method"],
-                         "vtk_ms": round(vtk_ms, 2), "ours_ms": round(solid["ms"], 2),
-                         "ratio": round(vtk_ms / solid["ms"], 1),
+                         "vtk_ms": round(vtk_ms, 2), "ours_ms": round(ours_ms, 2),
+                         "ratio": round(vtk_ms / ours_ms, 1),
                          "differing_voxels": differing})
         print(f"voxelization at {resolution}")
         report_ratios([r for r in rows if r["resolution"] == resolution])
@@ -180,15 +185,16 @@ def compare_skeletons(programs, models, scratch, out):
     subprocess.run(["g++", "-std=c++17", "-O3", "-DNDEBUG", "-isystem", "/usr/include/eigen3",
                     "-DCGAL_EIGEN3_ENABLED", HERE / "cgal_skeleton.cpp", "-o", peer,
                     "-lgmp", "-lmpfr"], check=True)
-    ours = {line["model"]: line for line in lines_of([programs.ours, "skeletonize", *models])}
     rows = []
-    for line in lines_of([peer, *models]):
+    for model in models:
+        line = lines_of([peer, model])[0]
         if "refused" in line:
             continue
-        mine = ours[line["model"]]
+        mine = lines_of([programs.ours, "skeletonize", str(RUNS), model])[0]
+        ours_ms = statistics.median(mine["runs_ms"])
         rows.append({"model": line["model"], "faces": mine["faces"],
-                     "cgal_ms": round(line["ms"], 1), "ours_ms": round(mine["ms"], 2),
-                     "ratio": round(line["ms"] / mine["ms"], 1)})
+                     "cgal_ms": round(line["ms"], 1), "ours_ms": round(ours_ms, 2),
+                     "ratio": round(line["ms"] / ours_ms, 1)})
     print(f"skeletons of {len(rows)} closed models of {len(models)}")
     cgal_mean = statistics.mean(row["cgal_ms"] for row in rows)
     ours_mean = statistics.mean(row["ours_ms"] for row in rows)
