@@ -44,6 +44,13 @@ function(ossuary_add_library name)
     endif()
 endfunction()
 
+# Compiles a target with the machine's instruction for counting bits, where OSSUARY_POPCNT allows.
+function(ossuary_use_popcnt target)
+    if(OSSUARY_POPCNT AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+        target_compile_options(${target} PRIVATE -mpopcnt)
+    endif()
+endfunction()
+
 # ossuary_add_program(name OUTPUT binary SOURCES … LIBRARIES …)
 function(ossuary_add_program name)
     cmake_parse_arguments(arg "" "OUTPUT" "SOURCES;LIBRARIES" ${ARGN})

@@ -71,7 +71,7 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
 void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
                         VoxelMap<Neighborhood>& reached) {
     const unsigned sides = reach_of(y % edge_, edge_) << 3 | reach_of(z % edge_, edge_) << 6;
-    const std::uint32_t* depths = distance.values().data() + distance.index({0, y, z});
+    const std::uint32_t* depths = distance.squared_row(y, z);
     for_each_run(solid.row(y, z), solid.size().x(), false, [&](int begin, int end) {
         VoxelIndex block = shape().index(begin / edge_, y / edge_, z / edge_);
         for (int x = begin; x < end; ++block) {

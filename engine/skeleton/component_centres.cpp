@@ -14,7 +14,7 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     // Sums of whole numbers: exact, so the same in any order of summation.
     std::vector<Vec3> gravity(components.count(), Vec3::Zero());
     const auto squared_row = [&](const VoxelRun& run) {
-        return distance.values().data() + distance.index({0, run.y, run.z});
+        return distance.squared_row(run.y, run.z);
     };
     for (const VoxelRun& run : components.runs) {
         ComponentCentre& centre = centres[run.component];

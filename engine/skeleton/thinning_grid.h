@@ -94,6 +94,17 @@ public:
         return low | middle << 9 | high << 18;
     }
 
+    /// The neighbourhood without edge and corner neighbours and the centre.
+    [[nodiscard]] Neighborhood face_neighbors(VoxelIndex v) const {
+        const std::uint32_t first = v - 1;
+        const std::uint8_t* centre = bytes_.data() + (first >> 3);
+        const std::uint32_t shift = first & 7u;
+        return (row_at(centre - plane_bytes_, shift) & 2u) << 3 |
+               (row_at(centre - row_bytes_, shift) & 2u) << 9 | (row_at(centre, shift) & 5u) << 12 |
+               (row_at(centre + row_bytes_, shift) & 2u) << 15 |
+               (row_at(centre + plane_bytes_, shift) & 2u) << 21;
+    }
+
     /// Without the padding.
     [[nodiscard]] BitVolume volume() const {
         BitVolume result(shape_.size());

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "engine/voxel/distance_columns.h"
+
 namespace ossuary {
 namespace {
 
 /// Columns gathered at once: one cache line of the result, so that no step along the stride misses.
-constexpr std::size_t kTile = 16;
+constexpr std::size_t kTile = DistanceField::kGroup;
 
 /// The lower envelope of the parabolas f(q) + (x - q)² over one column. 32 bits hold all values for
 /// sides up to 2^15, and divide in a third of the time of 64.
@@ -59,13 +61,11 @@ private:
 };
 
 /// Along x the distance to the nearer end of the run is the whole story.
-void transform_rows(const BitVolume& volume, std::vector<std::uint32_t>& squared) {
-    const Vec3i size = volume.size();
-    std::size_t row_start = 0;
-    for (int z = 0; z < size.z(); ++z) {
-        for (int y = 0; y < size.y(); ++y, row_start += static_cast<std::size_t>(size.x())) {
-            for_each_run(volume.row(y, z), size.x(), false, [&](int begin, int end) {
-                std::uint32_t* out = squared.data() + row_start;
+void transform_rows(const BitVolume& volume, DistanceField& field) {
+    for (int z = 0; z < volume.size().z(); ++z) {
+        for (int y = 0; y < volume.size().y(); ++y) {
+            std::uint32_t* out = field.values().data() + field.row(y, z).start;
+            for_each_run(volume.row(y, z), volume.size().x(), false, [&](int begin, int end) {
                 for (int x = begin; x < end; ++x) {
                     const auto d = static_cast<std::uint32_t>(std::min(x - begin + 1, end - x));
                     out[x] = d * d;
@@ -75,62 +75,49 @@ void transform_rows(const BitVolume& volume, std::vector<std::uint32_t>& squared
     }
 }
 
-/// Transforms `length` rows of `width` values, `stride` apart, along the stride.
-void transform_columns(std::uint32_t* values, std::size_t length, std::size_t stride,
-                       std::size_t width, Envelope& envelope, std::vector<std::uint32_t>& tile) {
-    for (std::size_t x0 = 0; x0 < width; x0 += kTile) {
-        const std::size_t columns = std::min(kTile, width - x0);
-        std::size_t first = length, last = 0;
-        for (std::size_t i = 0; i < length; ++i) {
-            const std::uint32_t* row = values + i * stride + x0;
-            std::uint32_t any = 0;
-            for (std::size_t c = 0; c < columns; ++c) any |= row[c];
-            if (any == 0) continue;
-            first = std::min(first, i);
-            last = i + 1;
-        }
-        if (first >= last) continue;
-        for (std::size_t i = first; i < last; ++i) {
-            const std::uint32_t* row = values + i * stride + x0;
-            for (std::size_t c = 0; c < columns; ++c) tile[c * length + i] = row[c];
-        }
-        for (std::size_t c = 0; c < columns; ++c) {
-            std::uint32_t* column = tile.data() + c * length;
-            for (std::size_t i = first; i < last;) {
-                while (i < last && column[i] == 0) ++i;
-                const std::size_t begin = i;
-                while (i < last && column[i] != 0) ++i;
-                if (begin < i) {
-                    envelope.transform(column, static_cast<std::int32_t>(begin),
-                                       static_cast<std::int32_t>(i));
-                }
+/// Transforms each of the columns of voxels in a column of groups.
+/// @param tile  room for the column
+void transform_column(const GroupColumn& groups, std::uint32_t* values, Envelope& envelope,
+                      std::vector<std::uint32_t>& tile) {
+    const std::size_t length = groups.length;
+    for (std::size_t i = 0; i < length; ++i) {
+        const std::uint32_t* group = values + groups.places[i];
+        for (std::size_t c = 0; c < kTile; ++c) tile[c * length + i] = group[c];
+    }
+    for (std::size_t c = 0; c < kTile; ++c) {
+        std::uint32_t* column = tile.data() + c * length;
+        for (std::size_t i = 0; i < length;) {
+            while (i < length && column[i] == 0) ++i;
+            const std::size_t begin = i;
+            while (i < length && column[i] != 0) ++i;
+            if (begin < i) {
+                envelope.transform(column, static_cast<std::int32_t>(begin),
+                                   static_cast<std::int32_t>(i));
             }
         }
-        for (std::size_t i = first; i < last; ++i) {
-            std::uint32_t* row = values + i * stride + x0;
-            for (std::size_t c = 0; c < columns; ++c) row[c] = tile[c * length + i];
-        }
+    }
+    for (std::size_t i = 0; i < length; ++i) {
+        std::uint32_t* group = values + groups.places[i];
+        for (std::size_t c = 0; c < kTile; ++c) group[c] = tile[c * length + i];
     }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> distances_by_envelope(const BitVolume& volume) {
-    const auto nx = static_cast<std::size_t>(volume.size().x());
-    const auto ny = static_cast<std::size_t>(volume.size().y());
-    const auto nz = static_cast<std::size_t>(volume.size().z());
-    std::vector<std::uint32_t> squared(volume.voxel_count(), 0);
-    transform_rows(volume, squared);
-    const std::size_t longest = std::max(ny, nz);
+DistanceField distances_by_envelope(const BitVolume& volume) {
+    DistanceField field(volume);
+    if (volume.voxel_count() == 0) return field;
+    transform_rows(volume, field);
+    GroupColumns columns(volume, field);
+    const auto longest = static_cast<std::size_t>(volume.size().tail<2>().maxCoeff());
     Envelope envelope(longest);
     std::vector<std::uint32_t> tile(kTile * longest);
-    for (std::size_t z = 0; z < nz; ++z) {
-        transform_columns(squared.data() + z * ny * nx, ny, nx, nx, envelope, tile);
+    for (const int axis : {1, 2}) {
+        columns.for_each(axis, [&](const GroupColumn& column) {
+            transform_column(column, field.values().data(), envelope, tile);
+        });
     }
-    for (std::size_t y = 0; y < ny; ++y) {
-        transform_columns(squared.data() + y * nx, nz, nx * ny, nx, envelope, tile);
-    }
-    return squared;
+    return field;
 }
 
 }  // namespace ossuary

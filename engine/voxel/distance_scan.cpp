@@ -1,132 +1,148 @@
 #include "engine/voxel/distance_scan.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstring>
+
+#include "engine/voxel/distance_columns.h"
 
 namespace ossuary {
 namespace {
 
-constexpr std::size_t kLanes = 16;
+constexpr std::size_t kLanes = DistanceField::kGroup;
 
 /// Values less 2^15: the basic vector instructions find the smaller of two 16-bit integers only
-/// with a sign. Without that, the loops stay scalar.
-using Lanes = std::array<std::int16_t, kLanes>;
+/// with a sign.
+using Lanes [[gnu::vector_size(2 * kLanes)]] = std::int16_t;
 constexpr int kShift = 1 << 15;
 
-Lanes background() {
-    Lanes lanes;
-    lanes.fill(-kShift);
-    return lanes;
+/// So many steps are taken between looks at whether there is need for more.
+constexpr std::size_t kStride = 2;
+
+/// Whether some lane is above a limit. (Finding the largest takes longer than ten steps.)
+[[gnu::always_inline]] inline bool any_above(const Lanes& lanes, std::size_t limit) {
+    const Lanes above = lanes > static_cast<std::int16_t>(static_cast<int>(limit) - kShift);
+    std::array<std::uint64_t, sizeof(Lanes) / 8> words;
+    std::memcpy(words.data(), &above, sizeof above);
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : words) any |= word;
+    return any != 0;
 }
+
+/// Lowers `best`, which is *row, to the nearest. All rows of background that a column has beyond
+/// its ends have to be seen as one: the search ends before kStride rows of it.
+[[gnu::always_inline]] inline void find_nearest(const Lanes* row, Lanes& best) {
+    for (std::size_t k = 1; any_above(best, k * k);) {
+        for (std::size_t step = 0; step < kStride; ++step, ++k) {
+            const Lanes& above = *(row - k);
+            const Lanes& below = row[k];
+            const Lanes nearer = above < below ? above : below;
+            const Lanes there = nearer + static_cast<std::int16_t>(k * k);
+            best = there < best ? there : best;
+        }
+    }
+}
+
+/// Transforms a column: groups of `in` at its places to those of `out`, which may be the same.
+/// @param rows  room for the column and kStride rows at either end
+template <typename Out>
+[[gnu::always_inline]] inline void scan_column(const GroupColumn& column, const std::uint16_t* in,
+                                               Out* out, Lanes* rows) {
+    constexpr auto kBackground = static_cast<std::int16_t>(-kShift);
+    for (std::size_t i = 0; i < kStride; ++i) {
+        rows[i] = Lanes{} + kBackground;
+        rows[kStride + column.length + i] = Lanes{} + kBackground;
+    }
+    rows += kStride;
+    for (std::size_t i = 0; i < column.length; ++i) {
+        std::memcpy(&rows[i], in + column.places[i], sizeof(Lanes));
+        rows[i] ^= kBackground;
+    }
+    for (std::size_t i = 0; i < column.length; ++i) {
+        Lanes best = rows[i];
+        find_nearest(rows + i, best);
+        best ^= kBackground;
+        std::array<std::uint16_t, kLanes> values;
+        std::memcpy(values.data(), &best, sizeof best);
+        Out* group = out + column.places[i];
+        for (std::size_t c = 0; c < kLanes; ++c) group[c] = values[c];
+    }
+}
+
+using ScanAlongY = void (*)(const GroupColumn&, std::uint16_t*, Lanes*);
+using ScanAlongZ = void (*)(const GroupColumn&, const std::uint16_t*, std::uint32_t*, Lanes*);
+
+void along_y(const GroupColumn& column, std::uint16_t* planar, Lanes* rows) {
+    scan_column(column, planar, planar, rows);
+}
+void along_z(const GroupColumn& column, const std::uint16_t* planar, std::uint32_t* squared,
+             Lanes* rows) {
+    scan_column(column, planar, squared, rows);
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+// The same for machines that have vectors of 32 bytes: half the time.
+[[gnu::target("avx2")]] void along_y_wide(const GroupColumn& column, std::uint16_t* planar,
+                                          Lanes* rows) {
+    scan_column(column, planar, planar, rows);
+}
+[[gnu::target("avx2")]] void along_z_wide(const GroupColumn& column, const std::uint16_t* planar,
+                                          std::uint32_t* squared, Lanes* rows) {
+    scan_column(column, planar, squared, rows);
+}
+ScanAlongY scan_along_y() { return __builtin_cpu_supports("avx2") ? along_y_wide : along_y; }
+ScanAlongZ scan_along_z() { return __builtin_cpu_supports("avx2") ? along_z_wide : along_z; }
+#else
+ScanAlongY scan_along_y() { return along_y; }
+ScanAlongZ scan_along_z() { return along_z; }
+#endif
 
 /// Along x the distance to the nearer end of the run is the whole story.
-void scan_row(const BitVolume& volume, int y, int z, std::uint16_t* out) {
-    for_each_run(volume.row(y, z), volume.size().x(), false, [&](int begin, int end) {
-        for (int x = begin; x < end; ++x) {
-            const int d = std::min(x - begin + 1, end - x);
-            out[x] = static_cast<std::uint16_t>(d * d);
-        }
-    });
-}
-
-std::size_t largest(const Lanes& lanes) {
-    std::int16_t most = -kShift;
-    for (const std::int16_t value : lanes) most = value > most ? value : most;
-    return static_cast<std::size_t>(most + kShift);
-}
-
-/// Reads `length` groups of columns into rows 1 to length of `rows`, those of background only
-/// (most, in most models) without touching the values; `bits` gives the words of the volume that
-/// hold them. Returns the first and one past the last row that is not all background, 0 and 0 if
-/// there is none.
-template <typename Bits>
-std::array<std::size_t, 2> gather(const std::uint16_t* in, std::size_t length, std::size_t stride,
-                                  Bits&& bits, std::vector<Lanes>& rows) {
-    std::size_t first = 0, end = 0;
-    for (std::size_t i = 0; i < length; ++i, in += stride) {
-        if ((bits(i) & 0xffffu) == 0) {
-            if (first > 0) rows[i + 1] = background();
-            continue;
-        }
-        for (std::size_t c = 0; c < kLanes; ++c) {
-            rows[i + 1][c] = static_cast<std::int16_t>(in[c] - kShift);
-        }
-        if (first == 0) first = i + 1;
-        end = i + 2;
+void scan_rows(const BitVolume& volume, const DistanceField& field,
+               std::vector<std::uint16_t>& squared) {
+    std::array<std::uint16_t, kMaxScanSide / 2 + 1> rising, falling;
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+        rising[i] = static_cast<std::uint16_t>((i + 1) * (i + 1));
+        falling[rising.size() - 1 - i] = rising[i];
     }
-    if (first > 0) rows[first - 1] = rows[end] = background();
-    return {first, end};
-}
-
-/// The nearest for row i of [first, end): the rows around these are background.
-Lanes nearest(const std::vector<Lanes>& rows, std::size_t i, std::size_t first, std::size_t end) {
-    Lanes best = rows[i];
-    // Looking at the largest only at every fourth step: it takes as long as a step.
-    for (std::size_t k = 1; k * k < largest(best);) {
-        for (const std::size_t stop = k + 4; k < stop; ++k) {
-            // Beyond the background row at either end there is nothing nearer.
-            const Lanes& above = rows[std::max(i, first - 1 + k) - k];
-            const Lanes& below = rows[std::min(i + k, end)];
-            const auto step = static_cast<std::uint16_t>(k * k);
-            for (std::size_t c = 0; c < kLanes; ++c) {
-                const std::int16_t nearer = above[c] < below[c] ? above[c] : below[c];
-                const auto there = static_cast<std::int16_t>(nearer + step);
-                best[c] = there < best[c] ? there : best[c];
-            }
+    for (int z = 0; z < volume.size().z(); ++z) {
+        for (int y = 0; y < volume.size().y(); ++y) {
+            const DistanceField::Row& stored = field.row(y, z);
+            if (stored.begin == stored.end) continue;
+            std::uint16_t* out = squared.data() + stored.start;
+            for_each_run(volume.row(y, z), volume.size().x(), false, [&](int begin, int end) {
+                const auto length = static_cast<std::size_t>(end - begin);
+                const std::size_t up = (length + 1) / 2;
+                std::memcpy(out + begin, rising.data(), up * sizeof *out);
+                std::memcpy(out + begin + up, falling.data() + falling.size() - (length - up),
+                            (length - up) * sizeof *out);
+            });
         }
     }
-    return best;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> distances_by_scan(const BitVolume& volume) {
+DistanceField distances_by_scan(const BitVolume& volume) {
     assert(volume.size().maxCoeff() <= kMaxScanSide);
-    const auto nx = static_cast<std::size_t>(volume.size().x());
-    const auto ny = static_cast<std::size_t>(volume.size().y());
-    const auto nz = static_cast<std::size_t>(volume.size().z());
-    const std::size_t width = (nx + kLanes - 1) / kLanes * kLanes;
-    std::vector<Lanes> rows(std::max(ny, nz) + 2, background());
-    std::vector<std::uint16_t> planar(width * ny * nz, 0);  // distances within slices of one z
-    for (std::size_t z = 0; z < nz; ++z) {
-        std::uint16_t* slice = planar.data() + z * ny * width;
-        for (std::size_t y = 0; y < ny; ++y) {
-            scan_row(volume, static_cast<int>(y), static_cast<int>(z), slice + y * width);
-        }
-        for (std::size_t x = 0; x < width; x += kLanes) {
-            const auto bits = [&](std::size_t y) {
-                return volume.row(static_cast<int>(y), static_cast<int>(z))[x >> 6] >> (x & 63);
-            };
-            const auto [first, end] = gather(slice + x, ny, width, bits, rows);
-            for (std::size_t i = first; i < end; ++i) {
-                const Lanes best = nearest(rows, i, first, end);
-                std::uint16_t* out = slice + (i - 1) * width + x;
-                for (std::size_t c = 0; c < kLanes; ++c) {
-                    out[c] = static_cast<std::uint16_t>(best[c] + kShift);
-                }
-            }
-        }
-    }
-    std::vector<std::uint32_t> squared(nx * ny * nz, 0);
-    for (std::size_t y = 0; y < ny; ++y) {
-        for (std::size_t x = 0; x < width; x += kLanes) {
-            const auto bits = [&](std::size_t z) {
-                return volume.row(static_cast<int>(y), static_cast<int>(z))[x >> 6] >> (x & 63);
-            };
-            const auto [first, end] =
-                gather(planar.data() + y * width + x, nz, width * ny, bits, rows);
-            const std::size_t columns = std::min(kLanes, nx - x);
-            for (std::size_t i = first; i < end; ++i) {
-                const Lanes best = nearest(rows, i, first, end);
-                std::uint32_t* out = squared.data() + ((i - 1) * ny + y) * nx + x;
-                for (std::size_t c = 0; c < columns; ++c) {
-                    out[c] = static_cast<std::uint32_t>(best[c] + kShift);
-                }
-            }
-        }
-    }
-    return squared;
+    DistanceField field(volume);
+    if (volume.voxel_count() == 0) return field;
+    GroupColumns columns(volume, field);
+    std::vector<std::uint16_t> planar(field.values().size(), 0);
+    scan_rows(volume, field, planar);
+    const auto longest = static_cast<std::size_t>(volume.size().tail<2>().maxCoeff());
+    struct alignas(sizeof(Lanes)) Row {
+        Lanes lanes;
+    };
+    std::vector<Row> rows(longest + 2 * kStride);
+    const ScanAlongY scan_y = scan_along_y();
+    columns.for_each(
+        1, [&](const GroupColumn& column) { scan_y(column, planar.data(), &rows.front().lanes); });
+    const ScanAlongZ scan_z = scan_along_z();
+    columns.for_each(2, [&](const GroupColumn& column) {
+        scan_z(column, planar.data(), field.values().data(), &rows.front().lanes);
+    });
+    return field;
 }
 
 }  // namespace ossuary

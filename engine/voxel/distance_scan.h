@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "engine/voxel/bit_volume.h"
+#include "engine/voxel/distance_field.h"
 
 namespace ossuary {
 
@@ -13,8 +10,8 @@ inline constexpr int kMaxScanSide = 356;
 
 /// The squared distance transform by looking up and down each column as far as a nearer background
 /// could be, 16 columns at once: a step is a few vector instructions of 16-bit values, so that it
-/// pays up to distances of some hundred voxels. Values x fastest, then y, then z.
+/// pays up to distances of some hundred voxels.
 /// @pre no side above kMaxScanSide
-std::vector<std::uint32_t> distances_by_scan(const BitVolume& volume);
+DistanceField distances_by_scan(const BitVolume& volume);
 
 }  // namespace ossuary

@@ -9,7 +9,7 @@ namespace ossuary {
 // 53 : 90 at 256; human .31 : .85 at 128, 3.0 : 7.5 at 256; a full cube of 128 32 : 28.
 DistanceField distance_transform(const BitVolume& volume) {
     const bool small = volume.size().maxCoeff() <= kMaxScanSide;
-    return {volume.size(), small ? distances_by_scan(volume) : distances_by_envelope(volume)};
+    return small ? distances_by_scan(volume) : distances_by_envelope(volume);
 }
 
 }  // namespace ossuary
