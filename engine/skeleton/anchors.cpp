@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/skeleton/component_centres.h"
+#include "engine/skeleton/padded_distance.h"
 #include "engine/skeleton/shortest_paths.h"
 #include "engine/skeleton/simple_point.h"
 #include "engine/skeleton/tip_search.h"
@@ -45,13 +46,12 @@ ThinningGrid corridor_along(const ThinningGrid& tree, const BlockGrid& blocks,
 /// The paths of the tips, voxel by voxel.
 class PathLayer {
 public:
-    PathLayer(const ThinningGrid& corridor, const DistanceField& distance,
+    PathLayer(const ThinningGrid& corridor, const PaddedDistance& depth,
               const std::vector<VoxelIndex>& centres)
         : steps_(corridor.shape().neighbor_steps()),
           paths_(shortest_paths(
               corridor, [](VoxelIndex) { return k26Neighbors; },
-              [&](VoxelIndex v) { return distance.squared(corridor.shape().position(v)); },
-              centres)) {}
+              [&](VoxelIndex v) { return depth.squared(v); }, centres)) {}
 
     /// The voxel of a block with the longest way to its centre; none where no way is known.
     [[nodiscard]] std::optional<VoxelIndex> farthest_of(const BlockGrid& blocks, VoxelIndex block,
@@ -60,8 +60,8 @@ public:
         std::optional<VoxelIndex> farthest;
         blocks.for_each_voxel_of(solid, block, [&](const Vec3i& position) {
             const VoxelIndex v = shape.index(position);
-            if (paths_.cost[v] == kUnreached) return;
-            if (!farthest || paths_.cost[v] > paths_.cost[*farthest]) farthest = v;
+            if (paths_.cost(v) == kUnreached) return;
+            if (!farthest || paths_.cost(v) > paths_.cost(*farthest)) farthest = v;
         });
         return farthest;
     }
@@ -77,7 +77,7 @@ public:
             const VoxelIndex v = path.back();
             VoxelIndex next = paths_.next(v, steps_);
             VoxelIndex ahead = next;
-            for (int look = 0; look < 3 && paths_.step[ahead] != kCentreBit; ++look) {
+            for (int look = 0; look < 3 && paths_.step(ahead) != kCentreBit; ++look) {
                 ahead = paths_.next(ahead, steps_);
                 if (are_neighbors(v, ahead)) next = ahead;
             }
@@ -125,8 +125,9 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
         std::max(options.coverage_voxels, options.coverage_share * solid.size().maxCoeff());
     const Tips tips = find_tips(blocks, centre_blocks, coverage, options);
     std::vector<VoxelIndex> ends;
+    const PaddedDistance depth(distance, shape);
     const auto reach_tips_through = [&](const ThinningGrid& corridor) {
-        std::optional<PathLayer> layer(std::in_place, corridor, distance, centres);
+        std::optional<PathLayer> layer(std::in_place, corridor, depth, centres);
         ends.clear();
         for (const VoxelIndex block : tips.blocks) {
             const auto end = layer->farthest_of(blocks, block, solid, shape);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/skeleton/shortest_paths.h"
+#include "engine/skeleton/voxel_map.h"
 
 namespace ossuary {
 namespace {

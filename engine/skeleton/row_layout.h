@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "engine/skeleton/thinning_grid.h"
+
+namespace ossuary {
+
+/// Places for values of a set's voxels and of all their neighbours, row by row without the rest of
+/// the grid: what belongs to a thin set lies close together in memory. The neighbours at dx = -1, 0
+/// and 1 in one row have three places in turn, and one more place follows.
+class RowLayout {
+public:
+    explicit RowLayout(const ThinningGrid& set) : row_(set.shape().row()) {
+        const std::size_t rows = set.shape().count() / row_;
+        rows_in_plane_ = set.shape().plane() / row_;
+        for (std::size_t i = 0; i < row_steps_.size(); ++i) {
+            const auto k = static_cast<std::int32_t>(i);
+            row_steps_[i] = (k / 3 - 1) * static_cast<std::int32_t>(rows_in_plane_) + k % 3 - 1;
+        }
+        struct Span {
+            VoxelIndex begin = std::numeric_limits<VoxelIndex>::max();
+            VoxelIndex end = 0;
+        };
+        std::vector<Span> spans(rows);  // by offset within the row, neighbours included
+        const auto widen = [&](std::uint32_t row, VoxelIndex first, VoxelIndex last) {
+            for (const std::int32_t step : row_steps_) {
+                Span& span = spans[row + static_cast<std::uint32_t>(step)];
+                span.begin = std::min(span.begin, first - 1);
+                span.end = std::max(span.end, last + 2);
+            }
+        };
+        std::uint32_t row = 0;
+        VoxelIndex first = 0, last = 0, row_end = 0;
+        set.for_each([&](VoxelIndex v) {
+            if (v >= row_end) {
+                if (row_end > 0) widen(row, first, last);
+                row = row_of(v);
+                row_end = (row + 1) * row_;
+                first = v - row * row_;
+            }
+            last = v - row * row_;
+        });
+        if (row_end > 0) widen(row, first, last);
+        starts_.resize(rows, 0);
+        for (std::size_t r = 0; r < rows; ++r) {
+            if (spans[r].end == 0) continue;
+            starts_[r] =
+                static_cast<std::int32_t>(count_) - static_cast<std::int32_t>(spans[r].begin);
+            count_ += spans[r].end - spans[r].begin;
+        }
+        ++count_;
+    }
+
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] std::uint32_t row_of(VoxelIndex v) const { return v / row_; }
+    [[nodiscard]] std::uint32_t offset_in_row(VoxelIndex v, std::uint32_t row) const {
+        return v - row * row_;
+    }
+    /// @pre the voxel with this offset is in the set or beside one that is
+    [[nodiscard]] std::size_t place(std::uint32_t offset, std::uint32_t row) const {
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(offset) + starts_[row]);
+    }
+    [[nodiscard]] std::size_t place(VoxelIndex v) const {
+        const std::uint32_t row = row_of(v);
+        return place(offset_in_row(v, row), row);
+    }
+    /// From a row to the nine around it, in the order of a neighbourhood's bits.
+    [[nodiscard]] const std::array<std::int32_t, 9>& row_steps() const { return row_steps_; }
+
+private:
+    std::uint32_t row_;
+    std::uint32_t rows_in_plane_ = 0;
+    std::array<std::int32_t, 9> row_steps_{};
+    std::size_t count_ = 0;
+    std::vector<std::int32_t> starts_;  ///< what to add to an offset, by row
+};
+
+}  // namespace ossuary
