@@ -110,7 +110,7 @@ void add_path(const std::vector<VoxelIndex>& path, Anchors& anchors) {
 Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
                      const ThinningOptions& options) {
     const PaddedShape shape(solid.size());
-    Anchors anchors{ThinningGrid(shape), true};
+    Anchors anchors{ThinningGrid(shape), 0, true};
     const BlockGrid blocks(solid, distance, block_edge_for(solid));
     std::vector<VoxelIndex> centres;
     std::vector<VoxelIndex> centre_blocks;
@@ -119,6 +119,7 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
         centre_blocks.push_back(blocks.block_of(shape.position(centre.voxel)));
         anchors.voxels.set(centre.voxel);
     }
+    anchors.components = centres.size();
     if (centres.empty()) return anchors;
 
     const double coverage =

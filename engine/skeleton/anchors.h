@@ -7,7 +7,8 @@ namespace ossuary {
 
 /// What anchored thinning must not delete.
 struct Anchors {
-    ThinningGrid voxels;  ///< for each component of the solid a tree of centred paths
+    ThinningGrid voxels;         ///< for each component of the solid a tree of centred paths
+    std::size_t components = 0;  ///< of the solid
     /// Each voxel was a simple point of the set when it was added: the set is then a deformation of
     /// one point for each component, so that it has no tunnel and no cavity.
     bool contractible = true;

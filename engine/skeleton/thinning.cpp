@@ -8,6 +8,7 @@
 #include "engine/skeleton/peel.h"
 #include "engine/skeleton/unit_width.h"
 #include "engine/voxel/betti.h"
+#include "engine/voxel/inner_runs.h"
 
 namespace ossuary {
 namespace {
@@ -17,10 +18,12 @@ ThinningGrid thin_anchored(const BitVolume& solid, const DistanceField& distance
     Anchors anchors = find_anchors(solid, distance, options);
     // A solid without tunnels and cavities shrinks onto the anchors whatever the order, so that
     // they are its skeleton as they stand; only what has more to keep must be peeled.
-    if (anchors.contractible) {
-        const BettiNumbers betti = betti_numbers(solid);
-        if (betti.tunnels == 0 && betti.cavities == 0) return std::move(anchors.voxels);
-    }
+    // Without cavities the Euler characteristic is components less tunnels.
+    const bool only_components =
+        anchors.contractible &&
+        euler_characteristic(solid) == static_cast<std::int64_t>(anchors.components) &&
+        count_cavities(solid) == 0;
+    if (only_components) return std::move(anchors.voxels);
     return peel(solid, distance, anchors.voxels);
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/voxel/components.h"
+#include "engine/voxel/inner_runs.h"
 
 namespace ossuary {
 namespace {
@@ -65,7 +66,7 @@ std::int64_t euler_characteristic(const BitVolume& volume) {
 BettiNumbers betti_numbers(const BitVolume& volume) {
     BettiNumbers betti;
     betti.components = static_cast<int>(label_components(volume, Connectivity::kVertices).count());
-    betti.cavities = static_cast<int>(label_background(volume).count()) - 1;
+    betti.cavities = static_cast<int>(count_cavities(volume));
     betti.tunnels =
         static_cast<int>(betti.components + betti.cavities - euler_characteristic(volume));
     return betti;

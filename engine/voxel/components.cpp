@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/voxel/inner_runs.h"
+
 namespace ossuary {
 namespace {
 
@@ -130,10 +132,10 @@ void reset_run(BitVolume& volume, const VoxelRun& run) {
 }
 
 FilledCavities fill_cavities(BitVolume& volume) {
-    const Components background = label_background(volume);
     FilledCavities filled;
-    filled.cavities = background.count() - 1;
+    filled.cavities = count_cavities(volume);
     if (filled.cavities == 0) return filled;
+    const Components background = label_background(volume);
     for (const VoxelRun& run : background.runs) {
         if (run.component == 0) continue;
         set_run(volume, run);
