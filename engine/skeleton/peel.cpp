@@ -59,12 +59,17 @@ private:
             return;
         }
         object_.reset(v);
-        const Neighborhood suspects = idle_.neighborhood(v) | fresh_.face_neighbors(v);
+        const Neighborhood idle = idle_.neighborhood(v);
         const std::uint32_t row = depth_.row_of(v);
-        for_each_bit(suspects, [&](int bit) {
+        for_each_bit(idle | fresh_.face_neighbors(v), [&](int bit) {
             const auto b = static_cast<std::size_t>(bit);
             const VoxelIndex n = moved(v, steps_[b]);
-            idle_.reset(n);
+            if ((idle >> bit & 1u) != 0) {
+                // Its turn has come before, so that it is no deeper than this level.
+                idle_.reset(n);
+                next_.push_back(n);
+                return;
+            }
             fresh_.reset(n);
             const std::size_t depth =
                 depth_.squared(n, row + static_cast<std::uint32_t>(row_steps_[b]));
