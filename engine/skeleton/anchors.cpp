@@ -1,5 +1,6 @@
 #include "engine/skeleton/anchors.h"
 
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -97,10 +98,32 @@ private:
     ShortestPaths paths_;
 };
 
-void add_path(const std::vector<VoxelIndex>& path, Anchors& anchors) {
+/// Where `v` closes a loop with the tree, as where it touches both sides of a corner, one more
+/// voxel of the solid may fill the loop: adds one that is simple and makes `v` simple. Returns
+/// whether there is one.
+bool fill_beside(VoxelIndex v, const BitVolume& solid, ThinningGrid& tree) {
+    const SimplePointTest& is_simple = SimplePointTest::shared();
+    const auto steps = tree.shape().neighbor_steps();
+    for (const Neighborhood kind : {kFaceNeighbors, kEdgeNeighbors, kCornerNeighbors}) {
+        for (Neighborhood rest = kind & ~tree.neighborhood(v); rest != 0; rest &= rest - 1) {
+            const auto bit = static_cast<std::size_t>(std::countr_zero(rest));
+            const VoxelIndex beside = moved(v, steps[bit]);
+            if (!solid.test_or_false(tree.shape().position(beside))) continue;
+            if (!is_simple(tree.neighborhood(beside))) continue;
+            tree.set(beside);
+            if (is_simple(tree.neighborhood(v))) return true;
+            tree.reset(beside);
+        }
+    }
+    return false;
+}
+
+void add_path(const std::vector<VoxelIndex>& path, const BitVolume& solid, Anchors& anchors) {
     const SimplePointTest& is_simple = SimplePointTest::shared();
     for (const VoxelIndex v : path) {
-        if (!is_simple(anchors.voxels.neighborhood(v))) anchors.contractible = false;
+        if (!is_simple(anchors.voxels.neighborhood(v)) && !fill_beside(v, solid, anchors.voxels)) {
+            anchors.contractible = false;
+        }
         anchors.voxels.set(v);
     }
 }
@@ -141,7 +164,7 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
     // Blocks above edge 2 may have joined what the solid does not: then the corridor is the solid.
     if (!layer) layer = reach_tips_through(ThinningGrid(solid));
     for (const VoxelIndex end : ends) {
-        add_path(layer->path_from(end, anchors.voxels), anchors);
+        add_path(layer->path_from(end, anchors.voxels), solid, anchors);
     }
     return anchors;
 }
