@@ -70,18 +70,22 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
 
 void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
                         VoxelMap<Neighborhood>& reached) {
-    const unsigned sides = reach_of(y % edge_, edge_) << 3 | reach_of(z % edge_, edge_) << 6;
+    // Edges are powers of two: shifts and masks in place of divisions.
+    const int shift = std::countr_zero(static_cast<unsigned>(edge_));
+    const int inside = edge_ - 1;
+    const unsigned sides = reach_of(y & inside, edge_) << 3 | reach_of(z & inside, edge_) << 6;
     const std::uint32_t* depths = distance.squared_row(y, z);
+    const VoxelIndex row = shape().index(0, y >> shift, z >> shift);
     for_each_run(solid.row(y, z), solid.size().x(), false, [&](int begin, int end) {
-        VoxelIndex block = shape().index(begin / edge_, y / edge_, z / edge_);
+        VoxelIndex block = row + static_cast<VoxelIndex>(begin >> shift);
         for (int x = begin; x < end; ++block) {
-            const int block_end = std::min(end, (x / edge_ + 1) * edge_);
+            const int block_end = std::min(end, ((x >> shift) + 1) << shift);
             const unsigned along =
-                reach_of(x % edge_, edge_) | reach_of((block_end - 1) % edge_, edge_);
+                reach_of(x & inside, edge_) | reach_of((block_end - 1) & inside, edge_);
             reached[block] |= kProducts[sides | along];
-            squared_[block] =
-                std::max(squared_[block], *std::max_element(depths + x, depths + block_end));
-            x = block_end;
+            std::uint32_t deepest = squared_[block];
+            for (; x < block_end; ++x) deepest = std::max(deepest, depths[x]);
+            squared_[block] = deepest;
         }
     });
 }

@@ -16,10 +16,14 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     const auto squared_row = [&](const VoxelRun& run) {
         return distance.squared_row(run.y, run.z);
     };
+    std::vector<std::uint32_t> deepest_of_run;
+    deepest_of_run.reserve(components.runs.size());
     for (const VoxelRun& run : components.runs) {
         ComponentCentre& centre = centres[run.component];
         const std::uint32_t* row = squared_row(run);
-        const std::uint32_t deepest = *std::max_element(row + run.begin, row + run.end);
+        std::uint32_t deepest = 0;
+        for (int x = run.begin; x < run.end; ++x) deepest = std::max(deepest, row[x]);
+        deepest_of_run.push_back(deepest);
         centre.squared_radius = std::max(centre.squared_radius, deepest);
         const double length = run.end - run.begin;
         gravity[run.component] += length * Vec3(0.5 * (run.begin + run.end - 1), run.y, run.z);
@@ -29,9 +33,11 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     }
     const PaddedShape shape(solid.size());
     std::vector<double> nearest(centres.size(), std::numeric_limits<double>::infinity());
-    for (const VoxelRun& run : components.runs) {
+    for (std::size_t r = 0; r < components.runs.size(); ++r) {
+        const VoxelRun& run = components.runs[r];
         const std::uint32_t* row = squared_row(run);
         const std::size_t i = run.component;
+        if (deepest_of_run[r] != centres[i].squared_radius) continue;
         for (int x = run.begin; x < run.end; ++x) {
             if (row[x] != centres[i].squared_radius) continue;
             const double d = (Vec3(x, run.y, run.z) - gravity[i]).squaredNorm();

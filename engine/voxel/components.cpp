@@ -46,6 +46,12 @@ void unite_rows(const std::vector<VoxelRun>& runs, std::size_t a, std::size_t a_
     }
 }
 
+bool is_empty(std::span<const std::uint64_t> row) {
+    std::uint64_t any = 0;
+    for (const std::uint64_t word : row) any |= word;
+    return any == 0;
+}
+
 /// @param outside  label runs of the background, with the beyond as component 0
 Components label(const BitVolume& volume, Connectivity connectivity, bool outside) {
     const Vec3i size = volume.size();
@@ -63,6 +69,7 @@ Components label(const BitVolume& volume, Connectivity connectivity, bool outsid
         for (int y = 0; y < size.y(); ++y) {
             const std::size_t first = result.runs.size();
             row_begin.push_back(first);
+            if (!outside && is_empty(volume.row(y, z))) continue;
             const bool border_row = y == 0 || z == 0 || y + 1 == size.y() || z + 1 == size.z();
             for_each_run(volume.row(y, z), size.x(), outside, [&](int begin, int end) {
                 result.runs.push_back({begin, end, y, z, sets.add()});
