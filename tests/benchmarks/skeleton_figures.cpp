@@ -58,9 +58,10 @@ public:
 
     void add(const Model& model, const SkeletonGraph& graph, const std::string& caption) {
         const Vec3i size = model.skeleton.solid.volume.size();
+        const int row = count_ / columns_;
         const double scale = kPanel / std::max(size.x(), size.y());
         const double left = kPanel * (count_ % columns_) + (kPanel - scale * size.x()) / 2;
-        const double top = (kPanel + kCaption) * (count_ / columns_);
+        const double top = (kPanel + kCaption) * row;
         const auto at = [&](const Vec3& p) {
             return fmt::format("{:.1f},{:.1f}", left + scale * p.x(),
                                top + (kPanel + scale * size.y()) / 2 - scale * p.y());
