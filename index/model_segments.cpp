@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 #include "engine/decomposition/branch_mapping.h"
+#include "engine/decomposition/prevailing_labels.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/vertex_normals.h"
 #include "index/coloured_parts.h"
@@ -34,20 +33,16 @@ void name_branches(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
     if (skeleton.branches.empty()) return;
     const BranchMapping mapping(skeleton);
     const std::vector<Vec3> normals = triangle_normals(mesh);
-    std::vector<std::map<std::uint32_t, double>> areas(segments.parts.size());
+    std::vector<std::int32_t> branches;
+    std::vector<double> areas;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto [a, b, c] = mesh.corners(t);
-        const std::uint32_t branch = mapping.branch_of((a + b + c) / 3.0, normals[t]);
-        areas[segments.labels[t]][branch] += triangle_area(mesh, t);
+        branches.push_back(
+            static_cast<std::int32_t>(mapping.branch_of((a + b + c) / 3.0, normals[t])));
+        areas.push_back(triangle_area(mesh, t));
     }
-    for (std::size_t p = 0; p < areas.size(); ++p) {
-        double largest = 0.0;
-        for (const auto& [branch, area] : areas[p]) {
-            if (area <= largest) continue;
-            largest = area;
-            segments.parts[p].branch = static_cast<std::int32_t>(branch);
-        }
-    }
+    const auto of_part = prevailing_labels(segments.parts.size(), segments.labels, branches, areas);
+    for (std::size_t p = 0; p < of_part.size(); ++p) segments.parts[p].branch = of_part[p];
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "engine/core/stopwatch.h"
 #include "engine/decomposition/cut_discrepancy.h"
 #include "engine/decomposition/seg_file.h"
-#include "engine/decomposition/segmentation_metrics.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
 
@@ -18,6 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 using Model = SegmentationEvaluation::Model;
+
+constexpr double SegmentationErrors::*kErrors[] = {
+    &SegmentationErrors::rand_index_error,        &SegmentationErrors::hamming,
+    &SegmentationErrors::hamming_missing,         &SegmentationErrors::hamming_false_alarm,
+    &SegmentationErrors::global_consistency,      &SegmentationErrors::local_consistency,
+    &SegmentationErrors::global_consistency_area, &SegmentationErrors::local_consistency_area,
+};
 
 struct ScoreField {
     const char* name;
@@ -93,14 +99,7 @@ void add_face_scores(const std::vector<Segmentation>& truths, const std::vector<
     const double share = 1.0 / static_cast<double>(truths.size());
     for (const Segmentation& truth : truths) {
         const SegmentationErrors errors = segmentation_errors(truth, model.segmentation, areas);
-        scores.rand_index_error += share * errors.rand_index_error;
-        scores.hamming += share * errors.hamming;
-        scores.hamming_missing += share * errors.hamming_missing;
-        scores.hamming_false_alarm += share * errors.hamming_false_alarm;
-        scores.global_consistency += share * errors.global_consistency;
-        scores.local_consistency += share * errors.local_consistency;
-        scores.global_consistency_area += share * errors.global_consistency_area;
-        scores.local_consistency_area += share * errors.local_consistency_area;
+        for (const auto error : kErrors) scores.*error += share * (errors.*error);
     }
     std::size_t pairs = 0;
     double sum = 0.0;

@@ -10,6 +10,7 @@
 
 #include "engine/core/result.h"
 #include "engine/decomposition/decompose.h"
+#include "engine/decomposition/segmentation_metrics.h"
 #include "engine/ranking/classification.h"
 
 namespace ossuary::index {
@@ -28,15 +29,7 @@ struct SegmentationEvaluationOptions {
 };
 
 /// Means over people for a model, over models for a class or the whole.
-struct SegmentationScores {
-    double rand_index_error = 0.0;
-    double hamming = 0.0;
-    double hamming_missing = 0.0;
-    double hamming_false_alarm = 0.0;
-    double global_consistency = 0.0;
-    double local_consistency = 0.0;
-    double global_consistency_area = 0.0;
-    double local_consistency_area = 0.0;
+struct SegmentationScores : SegmentationErrors {
     double cut_discrepancy = 0.0;          ///< over the models where it is defined
     double people_rand_index_error = 0.0;  ///< of people against each other
     double parts = 0.0;

@@ -1,7 +1,6 @@
 #include "engine/decomposition/decompose.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "engine/decomposition/affinity.h"
 #include "engine/decomposition/map_surface.h"
 #include "engine/decomposition/merge_patches.h"
+#include "engine/decomposition/prevailing_labels.h"
 #include "engine/decomposition/refine_borders.h"
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/measures.h"
@@ -34,57 +34,86 @@ Segmentation by_area(const SurfaceGraph& surface, const std::vector<std::uint32_
     return sorted;
 }
 
-std::vector<Decomposition::Part> describe_parts(const MeasuredPatches& patches,
-                                                const Segmentation& segmentation) {
+std::vector<Decomposition::Part> describe_parts(
+    const SurfaceGraph& surface, const Segmentation& segmentation,
+    const std::vector<std::int32_t>& branch_of_triangle) {
     std::vector<Decomposition::Part> parts(segmentation.parts);
-    std::vector<std::map<std::int32_t, double>> area_of_branch(segmentation.parts);
-    const SurfaceGraph& surface = patches.surface;
     for (std::size_t t = 0; t < surface.size(); ++t) {
         const std::uint32_t label = segmentation.labels[t];
         Decomposition::Part& part = parts[label];
         ++part.triangles;
         part.area += surface.areas[t];
-        const std::int32_t branch = patches.pairs.branch_of_patch[patches.graph.of_triangle[t]];
-        if (branch >= 0) area_of_branch[label][branch] += surface.areas[t];
         for (const std::uint32_t other : surface.across[t]) {
             if (other == kNoTriangle || segmentation.labels[other] == label) continue;
             part.neighbors.push_back(segmentation.labels[other]);
         }
     }
+    const std::vector<std::int32_t> branches = prevailing_labels(
+        segmentation.parts, segmentation.labels, branch_of_triangle, surface.areas);
     for (std::size_t p = 0; p < parts.size(); ++p) {
+        parts[p].branch = branches[p];
         auto& neighbors = parts[p].neighbors;
         std::sort(neighbors.begin(), neighbors.end());
         neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
-        double largest = 0.0;
-        for (const auto& [branch, area] : area_of_branch[p]) {
-            if (area <= largest) continue;
-            largest = area;
-            parts[p].branch = branch;
-        }
     }
     return parts;
 }
 
-std::vector<std::uint32_t> merged_labels(const MeasuredPatches& patches, std::size_t parts,
-                                         StageTimes& times) {
-    Stopwatch watch;
-    const std::vector<float> together = probability_together(patches.pairs);
-    const std::vector<std::uint32_t> part_of_patch =
-        merge_patches(patches.graph, together, {.parts = parts});
-    std::vector<std::uint32_t> labels;
-    labels.reserve(patches.graph.of_triangle.size());
-    for (const std::uint32_t patch : patches.graph.of_triangle) {
-        labels.push_back(part_of_patch[patch]);
-    }
-    times.push_back({"merge", watch.lap_ms()});
-    refine_borders(patches.surface, labels);
-    times.push_back({"borders", watch.lap_ms()});
-    return labels;
-}
+/// What a method makes of a surface.
+struct Labels {
+    std::vector<std::uint32_t> part_of_triangle;
+    std::vector<std::int32_t> branch_of_triangle;
+};
 
 Error too_many_parts(std::size_t wanted, std::size_t possible) {
     return {ErrorCode::kInvalidArgument, "parts: expected at most " + std::to_string(possible) +
                                              ", found " + std::to_string(wanted)};
+}
+
+/// The thesis' parts are the branches themselves.
+Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& options,
+                       Decomposition& result) {
+    Stopwatch watch;
+    Labels labels;
+    labels.part_of_triangle = map_surface(model.mesh, result.skeleton, {.seed = options.seed});
+    labels.branch_of_triangle.assign(labels.part_of_triangle.size(), -1);
+    if (!result.skeleton.branches.empty()) {
+        std::copy(labels.part_of_triangle.begin(), labels.part_of_triangle.end(),
+                  labels.branch_of_triangle.begin());
+    }
+    result.stage_times.push_back({"map", watch.lap_ms()});
+    return labels;
+}
+
+Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, StageTimes& times) {
+    Stopwatch watch;
+    const std::vector<float> together = probability_together(patches.pairs);
+    const std::vector<std::uint32_t> part_of_patch =
+        merge_patches(patches.graph, together, {.parts = parts});
+    Labels labels;
+    for (const std::uint32_t patch : patches.graph.of_triangle) {
+        labels.part_of_triangle.push_back(part_of_patch[patch]);
+        labels.branch_of_triangle.push_back(patches.pairs.branch_of_patch[patch]);
+    }
+    times.push_back({"merge", watch.lap_ms()});
+    refine_borders(patches.surface, labels.part_of_triangle);
+    times.push_back({"borders", watch.lap_ms()});
+    return labels;
+}
+
+/// All but the parts.
+Decomposition begin_decomposition(const SurfaceAndSkeleton& model) {
+    Decomposition result;
+    result.stage_times = model.stage_times;
+    result.warnings = model.skeleton.solid.warnings;
+    result.skeleton = to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
+    return result;
+}
+
+void finish_decomposition(const SurfaceGraph& surface, const Labels& labels,
+                          Decomposition& result) {
+    result.segmentation = by_area(surface, labels.part_of_triangle);
+    result.parts = describe_parts(surface, result.segmentation, labels.branch_of_triangle);
 }
 
 }  // namespace
@@ -107,20 +136,27 @@ SkeletonizeOptions decomposition_skeleton_options() {
     return options;
 }
 
+Result<SurfaceAndSkeleton> surface_and_skeleton(const TriangleMesh& mesh,
+                                                const SkeletonizeOptions& options,
+                                                std::stop_token stop) {
+    Result<Skeleton> skeleton = skeletonize(mesh, options, stop);
+    if (!skeleton) return skeleton.error();
+    SurfaceAndSkeleton model;
+    model.skeleton = *std::move(skeleton);
+    model.stage_times = model.skeleton.stage_times;
+    Stopwatch watch;
+    model.mesh = weld(mesh, {.drop_collapsed = false}).mesh;
+    model.surface = surface_graph(model.mesh);
+    model.stage_times.push_back({"surface", watch.lap_ms()});
+    return model;
+}
+
 Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh, const DecomposeOptions& options,
                                         std::stop_token stop) {
-    Result<Skeleton> skeleton = skeletonize(mesh, options.skeletonize, stop);
-    if (!skeleton) return skeleton.error();
-    MeasuredPatches patches;
-    patches.skeleton = *std::move(skeleton);
-    patches.stage_times = patches.skeleton.stage_times;
+    Result<SurfaceAndSkeleton> model = surface_and_skeleton(mesh, options.skeletonize, stop);
+    if (!model) return model.error();
+    MeasuredPatches patches{*std::move(model), {}, {}};
     Stopwatch watch;
-    const auto lap = [&](const char* stage) {
-        patches.stage_times.push_back({stage, watch.lap_ms()});
-    };
-    patches.mesh = weld(mesh, {.drop_collapsed = false}).mesh;
-    patches.surface = surface_graph(patches.mesh);
-    lap("surface");
     if (patches.surface.total_area <= 0.0) {
         patches.graph.of_triangle.assign(mesh.triangles.size(), 0);
         patches.graph.patches.resize(1);
@@ -130,57 +166,47 @@ Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh, const Decompos
         const std::size_t count = std::max(options.patches, 4 * options.parts);
         patches.graph = patch_graph(patches.mesh, patches.surface, count);
     }
-    lap("patches");
+    patches.stage_times.push_back({"patches", watch.lap_ms()});
     if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
     patches.pairs = pair_features(patches.surface, patches.graph, patches.skeleton);
-    lap("pairs");
+    patches.stage_times.push_back({"pairs", watch.lap_ms()});
     return patches;
 }
 
 Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions& options,
                                 std::stop_token stop) {
     if (options.parts > kMaxParts) return too_many_parts(options.parts, kMaxParts);
-    const bool is_thesis = options.method == DecompositionMethod::kThesis;
-    if (is_thesis && options.parts > 0) {
-        return Error{ErrorCode::kInvalidArgument,
-                     "parts: the thesis' method makes one of each branch of the skeleton"};
+    if (options.method == DecompositionMethod::kThesis) {
+        if (options.parts > 0) {
+            return Error{ErrorCode::kInvalidArgument,
+                         "parts: the thesis' method makes one of each branch of the skeleton"};
+        }
+        const auto model = surface_and_skeleton(mesh, options.skeletonize, stop);
+        if (!model) return model.error();
+        Decomposition result = begin_decomposition(*model);
+        finish_decomposition(model->surface, label_by_branch(*model, options, result), result);
+        return result;
     }
-    Result<MeasuredPatches> measured = measure_patches(mesh, options, stop);
-    if (!measured) return measured.error();
-    const MeasuredPatches& patches = *measured;
-    if (options.parts > patches.graph.size()) {
-        return too_many_parts(options.parts, patches.graph.size());
+    const Result<MeasuredPatches> patches = measure_patches(mesh, options, stop);
+    if (!patches) return patches.error();
+    if (options.parts > patches->graph.size()) {
+        return too_many_parts(options.parts, patches->graph.size());
     }
-    Decomposition result;
-    result.stage_times = patches.stage_times;
-    result.warnings = patches.skeleton.solid.warnings;
-    result.skeleton = to_world(patches.skeleton.refined, patches.skeleton.solid.world_from_grid);
-    std::vector<std::uint32_t> labels;
-    if (is_thesis) {
-        Stopwatch watch;
-        labels = map_surface(patches.mesh, result.skeleton, {.seed = options.seed});
-        result.stage_times.push_back({"map", watch.lap_ms()});
-    } else {
-        labels = merged_labels(patches, options.parts, result.stage_times);
-    }
-    result.segmentation = by_area(patches.surface, labels);
-    result.parts = describe_parts(patches, result.segmentation);
+    Decomposition result = begin_decomposition(*patches);
+    finish_decomposition(patches->surface,
+                         label_by_evidence(*patches, options.parts, result.stage_times), result);
     return result;
 }
 
 Segmentation face_segmentation(const TriangleMesh& mesh, const Segmentation& triangles) {
-    Segmentation faces{std::vector<std::uint32_t>(mesh.face_count, 0), triangles.parts};
-    std::vector<std::map<std::uint32_t, double>> area(mesh.face_count);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        area[mesh.face_of_triangle[t]][triangles.labels[t]] += triangle_area(mesh, t);
-    }
-    for (std::size_t face = 0; face < area.size(); ++face) {
-        double largest = -1.0;
-        for (const auto& [label, size] : area[face]) {
-            if (size <= largest) continue;
-            largest = size;
-            faces.labels[face] = label;
-        }
+    std::vector<double> areas;
+    areas.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) areas.push_back(triangle_area(mesh, t));
+    const std::vector<std::int32_t> labels(triangles.labels.begin(), triangles.labels.end());
+    Segmentation faces{{}, triangles.parts};
+    for (const std::int32_t label :
+         prevailing_labels(mesh.face_count, mesh.face_of_triangle, labels, areas)) {
+        faces.labels.push_back(static_cast<std::uint32_t>(std::max(label, 0)));
     }
     return faces;
 }

@@ -53,14 +53,22 @@ struct Decomposition {
     StageTimes stage_times;
 };
 
-/// A model's patches with all that was measured of them: what decompose decides by.
-struct MeasuredPatches {
+/// A model's surface and what is inside it.
+struct SurfaceAndSkeleton {
     TriangleMesh mesh;  ///< welded; the triangles of the input in their order
     Skeleton skeleton;
-    SurfaceGraph surface;
+    SurfaceGraph surface;  ///< of `mesh`
+    StageTimes stage_times;
+};
+/// Errors: those of skeletonize.
+Result<SurfaceAndSkeleton> surface_and_skeleton(const TriangleMesh& mesh,
+                                                const SkeletonizeOptions& options,
+                                                std::stop_token stop = {});
+
+/// The same with its patches and all that was measured of them: what decompose decides by.
+struct MeasuredPatches : SurfaceAndSkeleton {
     PatchGraph graph;
     PatchPairs pairs;
-    StageTimes stage_times;
 };
 /// Errors: those of skeletonize.
 Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh,

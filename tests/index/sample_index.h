@@ -11,22 +11,10 @@
 #include "index/indexer.h"
 #include "index/model.h"
 #include "index/store.h"
+#include "tests/support/temporary_folder.h"
 
 /// What several tests of the index build on.
 namespace ossuary::test {
-
-/// A folder of its own under the system's temporary one, removed at the end.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -1,7 +1,6 @@
 #include "tests/server/test_server.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -80,17 +79,6 @@ struct BuiltIndex {
 };
 
 }  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "ossuary-server-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-}
 
 const std::vector<BuiltModel>& built_models() {
     static const std::vector<BuiltModel> models = build_models();

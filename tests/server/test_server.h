@@ -9,21 +9,9 @@
 
 #include "server/server.h"
 #include "tests/server/raw_client.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ossuary::test {
-
-/// A folder of its own that goes away with it.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// Built models as OFF text by file stem; their classes are the stems without the last letter:
 /// balla, ballb, ringa, ringb, treea, treeb.

@@ -82,6 +82,21 @@ std::size_t connected_pieces(const TriangleMesh& mesh, const Segmentation& segme
     return pieces;
 }
 
+TEST(Decompose, NamesEachPartOfTheThesisMethodByTheBranchThatMadeIt) {
+    const auto result =
+        decompose(test::capsule_tree_mesh(), {.method = DecompositionMethod::kThesis});
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    std::set<std::int32_t> branches;
+    for (const auto& part : result->parts) {
+        EXPECT_GE(part.branch, 0);
+        EXPECT_LT(part.branch, static_cast<std::int32_t>(result->skeleton.branches.size()));
+        branches.insert(part.branch);
+    }
+    EXPECT_GT(result->parts.size(), 1U);
+    EXPECT_EQ(branches.size(), result->parts.size());
+    for (const StageTime& time : result->stage_times) EXPECT_NE(time.stage, "pairs");
+}
+
 TEST(Decompose, PartsTheBallsOfADumbbell) {
     const TriangleMesh mesh = dumbbell();
     const Segmentation segmentation = parts_of(mesh);
