@@ -130,6 +130,14 @@ void add_mesh(const TriangleMesh& mesh, const Segmentation& segmentation, const 
     builder.document()["materials"] = std::move(materials);
 }
 
+std::string joint_name(const Rig& rig, std::size_t k) {
+    const Rig::Joint& joint = rig.joints[k];
+    if (joint.parent < 0) return "root";
+    if (joint.branch >= 0) return "branch " + std::to_string(joint.branch);
+    const std::int32_t held_by = rig.joints[static_cast<std::size_t>(joint.parent)].branch;
+    return "tip of branch " + std::to_string(held_by);
+}
+
 /// Joint k is node k; the mesh's node comes after them.
 void add_nodes(const Rig& rig, std::string_view name, GltfBuilder& builder) {
     json nodes = json::array(), joints = json::array();
@@ -140,9 +148,8 @@ void add_nodes(const Rig& rig, std::string_view name, GltfBuilder& builder) {
                                 ? Vec3::Zero()
                                 : rig.joints[static_cast<std::size_t>(joint.parent)].position;
         const Vec3 offset = joint.position - origin;
-        nodes.push_back({{"name", joint.branch < 0 ? std::string("root")
-                                                   : "branch " + std::to_string(joint.branch)},
-                         {"translation", {offset.x(), offset.y(), offset.z()}}});
+        nodes.push_back(
+            {{"name", joint_name(rig, k)}, {"translation", {offset.x(), offset.y(), offset.z()}}});
         if (joint.parent >= 0)
             nodes[static_cast<std::size_t>(joint.parent)]["children"].push_back(k);
         joints.push_back(k);

@@ -4,9 +4,12 @@
 
 #include "engine/decomposition/branch_mapping.h"
 #include "engine/decomposition/prevailing_labels.h"
+#include "engine/decomposition/rig.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/vertex_normals.h"
+#include "engine/mesh/weld.h"
 #include "index/coloured_parts.h"
+#include "index/gltf.h"
 #include "index/presentation.h"
 
 namespace ossuary::index {
@@ -56,6 +59,15 @@ Result<ModelSegments> model_segments(const PreviewMesh& preview, const SkeletonG
                            std::move(decomposition->segmentation.labels)};
     name_branches(mesh, skeleton, segments);
     return segments;
+}
+
+Result<std::string> model_rig(const PreviewMesh& preview, const SkeletonGraph& skeleton,
+                              std::string_view name, std::stop_token stop) {
+    const TriangleMesh mesh = mesh_of(preview);
+    const Result<Decomposition> decomposition = decompose(mesh, {}, stop);
+    if (!decomposition.ok()) return decomposition.error();
+    const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
+    return to_glb(welded, decomposition->segmentation, make_rig(welded, skeleton), name);
 }
 
 nlohmann::json to_json(const ModelSegments& segments) {

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stop_token>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -23,6 +25,12 @@ struct ModelSegments {
 /// Errors: those of decompose.
 Result<ModelSegments> model_segments(const PreviewMesh& preview, const SkeletonGraph& skeleton,
                                      std::stop_token stop = {});
+
+/// The preview of an indexed model, its parts and the stored skeleton as a rigged glTF file
+/// (gltf.h).
+/// Errors: those of decompose.
+Result<std::string> model_rig(const PreviewMesh& preview, const SkeletonGraph& skeleton,
+                              std::string_view name, std::stop_token stop = {});
 
 /// {parts: [{part, colour, triangles, area, area_share, branch, neighbors}], labels}
 [[nodiscard]] nlohmann::json to_json(const ModelSegments& segments);

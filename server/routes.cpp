@@ -15,6 +15,7 @@ const std::vector<Route>& routes() {
         {"GET", "/v1/models/{id}/mesh", model_mesh},
         {"GET", "/v1/models/{id}/skeleton", model_skeleton},
         {"GET", "/v1/models/{id}/segments", model_segments},
+        {"GET", "/v1/models/{id}/rig.glb", model_rig},
         {"GET", "/v1/models/{id}/thumbnail.png", model_thumbnail},
         {"GET", "/v1/compare", compare, nullptr, Body::kNone, kEveryone, true},
         {"GET", "/v1/evaluations", list_evaluations},

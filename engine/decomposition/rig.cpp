@@ -22,10 +22,12 @@ std::vector<std::uint16_t> add_joints(const SkeletonGraph& skeleton, Rig& rig) {
         reached[root] = true;
         for (std::size_t next = 0; next < open.size(); ++next) {
             const auto [node, joint] = open[next];
+            bool is_tip = node != root;
             for (std::size_t b = 0; b < skeleton.branches.size(); ++b) {
                 const SkeletonGraph::Branch& branch = skeleton.branches[b];
                 if (has_joint[b] || (branch.a != node && branch.b != node)) continue;
                 has_joint[b] = true;
+                is_tip = false;
                 of_branch[b] = static_cast<std::uint16_t>(rig.joints.size());
                 rig.joints.push_back(
                     {skeleton.nodes[node].position, joint, static_cast<std::int32_t>(b)});
@@ -34,6 +36,7 @@ std::vector<std::uint16_t> add_joints(const SkeletonGraph& skeleton, Rig& rig) {
                 reached[other] = true;
                 open.emplace_back(other, of_branch[b]);
             }
+            if (is_tip) rig.joints.push_back({skeleton.nodes[node].position, joint, -1});
         }
     };
     std::uint32_t thickest = 0;

@@ -16,7 +16,8 @@ struct Rig {
     struct Joint {
         Vec3 position = Vec3::Zero();  ///< in the mesh's units
         std::int32_t parent = -1;      ///< an earlier joint; -1 for the first
-        std::int32_t branch = -1;      ///< of the skeleton that turns about it; -1 for the first
+        std::int32_t branch = -1;  ///< of the skeleton that turns about it; -1 for the first, and
+                                   ///< for the tips, which nothing follows
     };
     static constexpr std::size_t kInfluences = 4;
     struct Weights {
@@ -28,7 +29,9 @@ struct Rig {
 };
 
 /// The first joint is the thickest node of the skeleton; every branch has a joint where it leaves
-/// the side of that node (loops are parted where the ways around them meet). Vertices first follow
+/// the side of that node (loops are parted where the ways around them meet), and one more at its
+/// tip where it ends without another, so that there is something to take it by. Vertices first
+/// follow
 /// the branch that they are mapped to (branch_mapping.h); then the weights are spread over the
 /// surface, `smoothing` times half to the neighbours, and the four largest kept.
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint

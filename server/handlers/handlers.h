@@ -24,6 +24,7 @@ Checked<Response> get_model(Service& service, const Request& request);
 Checked<Response> model_mesh(Service& service, const Request& request);
 Checked<Response> model_skeleton(Service& service, const Request& request);
 Checked<Response> model_segments(Service& service, const Request& request);
+Checked<Response> model_rig(Service& service, const Request& request);
 Checked<Response> model_thumbnail(Service& service, const Request& request);
 
 Checked<Response> list_evaluations(Service& service, const Request& request);

@@ -17,6 +17,31 @@ Checked<index::ModelId> only_id(const Request& request) {
     return parse_id(request.capture, "model");
 }
 
+/// What the index keeps of a model that it can be cut into parts by.
+struct ShapeToCut {
+    std::string name;
+    index::PreviewMesh mesh;
+    SkeletonGraph skeleton;
+};
+
+Checked<ShapeToCut> shape_to_cut(Service& service, const Request& request) {
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    auto mesh = service.searcher.store().preview(*id);
+    if (!mesh) return fail(mesh.error());
+    auto skeleton = service.searcher.store().skeleton(*id);
+    if (!skeleton) return fail(skeleton.error());
+    return ShapeToCut{model->name, *std::move(mesh), std::move(skeleton->graph)};
+}
+
+tl::unexpected<Problem> not_cut(const Request& request, const Error& error) {
+    if (error.code == ErrorCode::kCancelled) return fail(error);
+    return fail(RequestFault::kSegmentsNotAvailable,
+                "Model " + request.capture + " cannot be cut into parts: " + error.message);
+}
+
 }  // namespace
 
 Checked<Response> model_mesh(Service& service, const Request& request) {
@@ -38,22 +63,23 @@ Checked<Response> model_skeleton(Service& service, const Request& request) {
 }
 
 Checked<Response> model_segments(Service& service, const Request& request) {
-    const auto id = only_id(request);
-    if (!id) return tl::unexpected<Problem>(id.error());
-    const auto mesh = service.searcher.store().preview(*id);
-    if (!mesh) return fail(mesh.error());
-    const auto skeleton = service.searcher.store().skeleton(*id);
-    if (!skeleton) return fail(skeleton.error());
+    const auto shape = shape_to_cut(service, request);
+    if (!shape) return tl::unexpected<Problem>(shape.error());
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto segments = index::model_segments(*mesh, skeleton->graph, request.stop);
-    if (!segments.ok()) {
-        if (segments.error().code == ErrorCode::kCancelled) return fail(segments.error());
-        return fail(
-            RequestFault::kSegmentsNotAvailable,
-            "Model " + request.capture + " cannot be cut into parts: " + segments.error().message);
-    }
+    const auto segments = index::model_segments(shape->mesh, shape->skeleton, request.stop);
+    if (!segments.ok()) return not_cut(request, segments.error());
     return conditional(request.head, json_answer(index::to_json(*segments)));
+}
+
+Checked<Response> model_rig(Service& service, const Request& request) {
+    const auto shape = shape_to_cut(service, request);
+    if (!shape) return tl::unexpected<Problem>(shape.error());
+    const auto slot = wait_for_slot(service, request);
+    if (!slot) return tl::unexpected<Problem>(slot.error());
+    auto rig = index::model_rig(shape->mesh, shape->skeleton, shape->name, request.stop);
+    if (!rig.ok()) return not_cut(request, rig.error());
+    return conditional(request.head, answer("model/gltf-binary", *std::move(rig)));
 }
 
 Checked<Response> model_thumbnail(Service& service, const Request& request) {

@@ -247,6 +247,9 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
     hold("get", models + "/{id}/skeleton", get(models + "/5/skeleton"), 200);
     hold("get", models + "/{id}/segments", get(models + "/5/segments"), 200);
     hold("get", models + "/{id}/segments", get(models + "/99/segments"), 404);
+    hold("get", models + "/{id}/rig.glb", get(models + "/5/rig.glb"), 200);
+    hold("get", models + "/{id}/rig.glb", get(models + "/5/rig.glb", "If-None-Match: *\r\n"), 304);
+    hold("get", models + "/{id}/rig.glb", get(models + "/99/rig.glb"), 404);
     hold("get", models + "/{id}/thumbnail.png", get(models + "/5/thumbnail.png"), 200);
     hold("get", "/v1/compare", get("/v1/compare?a=1"), 400);
     hold("get", "/v1/evaluations", get("/v1/evaluations"), 200);

@@ -90,11 +90,20 @@ TEST_F(Models, GivesEachModelWithItsParts) {
             }
         }
         EXPECT_EQ(triangles, segments["labels"].size());
+        const auto rig = server_.ask(get(path + "/rig.glb"));
+        EXPECT_EQ(rig.status, 200);
+        EXPECT_EQ(rig.header("Content-Type"), "model/gltf-binary");
+        ASSERT_GT(rig.body.size(), 20U);
+        EXPECT_EQ(rig.body.substr(0, 4), "glTF");
+        const auto gltf = nlohmann::json::parse(rig.body.substr(20, rig.body.find("BIN") - 24));
+        EXPECT_EQ(gltf["meshes"][0]["primitives"].size(), segments["parts"].size());
+        EXPECT_GT(gltf["skins"][0]["joints"].size(), skeleton["branches"].size());
     }
 }
 
 TEST_F(Models, SaysWhichModelsThereAreNot) {
-    for (const char* part : {"", "/mesh", "/skeleton", "/thumbnail.png", "/segments", "/similar"}) {
+    for (const char* part :
+         {"", "/mesh", "/skeleton", "/thumbnail.png", "/segments", "/rig.glb", "/similar"}) {
         const std::string path = "/v1/models/999" + std::string(part);
         EXPECT_EQ(server_.code(get(path), 404), "model_not_found") << path;
     }
@@ -109,8 +118,8 @@ TEST_F(Models, SaysWhichModelsThereAreNot) {
 TEST_F(Models, AnswersNotModifiedWhileNothingHasChanged) {
     for (const char* path :
          {"/v1/models", "/v1/models/1", "/v1/models/1/mesh", "/v1/models/1/skeleton",
-          "/v1/models/1/segments", "/v1/models/1/thumbnail.png", "/v1/models/1/similar?limit=2",
-          "/v1/compare?a=1&b=2", "/openapi.yaml"}) {
+          "/v1/models/1/segments", "/v1/models/1/rig.glb", "/v1/models/1/thumbnail.png",
+          "/v1/models/1/similar?limit=2", "/v1/compare?a=1&b=2", "/openapi.yaml"}) {
         const RawAnswer first = server_.ask(get(path));
         ASSERT_EQ(first.status, 200) << path;
         const std::string etag = first.header("ETag");
