@@ -8,6 +8,7 @@ export default defineConfig({
     root: inside('../tests/browser'),
     resolve: {
         alias: {
+            'gltf-validator': inside('node_modules/gltf-validator/index.js'),
             'playwright-core': inside('node_modules/playwright-core/index.mjs'),
             vitest: inside('node_modules/vitest/dist/index.js'),
         },

@@ -267,6 +267,109 @@ describe('the 3D comparison', () => {
     });
 });
 
+describe('the parts of a model', () => {
+    async function openParts(): Promise<Page> {
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
+        await page.getByRole('link', { name: 'Parts and pose' }).click();
+        await page.locator('.part-legend tbody tr').first().waitFor();
+        return page;
+    }
+
+    /** What is drawn, without the buttons over it. */
+    async function pictureOf(page: Page): Promise<Buffer> {
+        const joints = page.getByRole('checkbox', { name: 'Joints' });
+        await joints.uncheck();
+        await page.locator('.match-summary').hover();
+        const picture = await settledPicture(page.locator('dialog .pane-canvas'));
+        await joints.check();
+        return picture;
+    }
+
+    it('are coloured and listed on demand', async () => {
+        const page = await openParts();
+        const shares = await page.locator('.part-legend td.number').allTextContents();
+        expect(shares.length).toBeGreaterThan(3);
+        const sum = shares.reduce((total, share) => total + Number.parseFloat(share), 0);
+        expect(Math.abs(sum - 100)).toBeLessThan(0.06 * shares.length);
+        const canvas = page.locator('dialog .pane-canvas');
+        const colored = await looksOf(canvas);
+        expect(colored.drawn).toBeGreaterThan(0.02);
+        await page.getByRole('checkbox', { name: 'Parts' }).uncheck();
+        await page.locator('.match-summary').hover();
+        await settledPicture(canvas);
+        expect((await looksOf(canvas)).colors).toBeLessThan(colored.colors);
+        await page.getByRole('checkbox', { name: 'Parts' }).check();
+        expect((await looksOf(canvas)).colors).toBe(colored.colors);
+        expectGoodManners();
+    });
+
+    it('move with the joint that is dragged, and go back', async () => {
+        const page = await openParts();
+        const rest = await pictureOf(page);
+        const joint = page.locator('.joint-handle').last();
+        const place = async () => {
+            const box = await joint.boundingBox();
+            return { x: (box?.x ?? 0) + 7, y: (box?.y ?? 0) + 7 };
+        };
+        const from = await place();
+        await page.mouse.move(from.x, from.y);
+        await page.mouse.down();
+        const to = { x: from.x + 12, y: from.y - 30 };
+        await page.mouse.move(to.x, to.y, { steps: 5 });
+        await page.mouse.up();
+        const dragged = await place();
+        expect(Math.hypot(dragged.x - from.x, dragged.y - from.y)).toBeGreaterThan(8);
+        expect((await pictureOf(page)).equals(rest)).toBe(false);
+        await page.getByRole('button', { name: 'Reset pose' }).click();
+        expect((await pictureOf(page)).equals(rest)).toBe(true);
+        const back = await place();
+        expect(Math.hypot(back.x - from.x, back.y - from.y)).toBeLessThan(1);
+        expectGoodManners();
+    });
+
+    it('move with the keyboard', async () => {
+        const page = await openParts();
+        const rest = await pictureOf(page);
+        await page.locator('.joint-handle').last().focus();
+        for (let press = 0; press < 4; press++) {
+            await page.keyboard.press('ArrowUp');
+        }
+        await page.keyboard.press('ArrowLeft');
+        expect((await pictureOf(page)).equals(rest)).toBe(false);
+        await page.locator('.joint-handle').last().focus();
+        await page.keyboard.press('Home');
+        expect((await pictureOf(page)).equals(rest)).toBe(true);
+        await page.keyboard.press('Escape');
+        await page.locator('dialog').waitFor({ state: 'detached' });
+        expect(page.url()).toBe(`${server.origin}/#/models/${kModels}`);
+        expectGoodManners();
+    });
+
+    it('are missed with a reason where the server cannot give them', async () => {
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
+        await page.route('**/rig.glb', (route) =>
+            route.fulfill({
+                status: 404,
+                contentType: 'application/problem+json',
+                body: JSON.stringify({
+                    title: 'No decomposition',
+                    status: 404,
+                    code: 'segments_not_available',
+                }),
+            }),
+        );
+        await page.getByRole('link', { name: 'Parts and pose' }).click();
+        await page.locator('dialog .notice-code').waitFor();
+        expect(await page.locator('dialog .notice-code').textContent()).toBe(
+            'segments_not_available',
+        );
+        await page.unroute('**/rig.glb');
+        await page.getByRole('button', { name: 'Try again' }).click();
+        await page.locator('.part-legend tbody tr').first().waitFor();
+        expect(visitor.strangers).toEqual([]);
+    });
+});
+
 describe('without a mouse', () => {
     it('leads from the collection to a comparison and back', async () => {
         const page = await open('#/', { viewport: kSmall });
@@ -308,6 +411,7 @@ describe('any page', () => {
     it.each([
         ['#/', '.collection .card-link'],
         [`#/models/${kModels}`, '.hit-card'],
+        [`#/models/${kModels}/parts`, '.part-legend'],
         ['#/reports', '.confusion-table'],
         ['#/nowhere', '.notice'],
     ])('%s fits a narrow screen, light and dark', async (hash, ready) => {

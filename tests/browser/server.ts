@@ -24,6 +24,15 @@ export function buildIndex(index: string, folder: string, classes: string): void
     });
 }
 
+/** Writes a model rigged by its skeleton. */
+export function writeRig(model: string, glb: string): void {
+    const ossuary = program('OSSUARY_BIN', 'build/release/bin/ossuary');
+    execFileSync(ossuary, ['segment', model, '--out', glb], {
+        stdio: ['ignore', 'ignore', 'inherit'],
+        timeout: 60_000,
+    });
+}
+
 export interface Server {
     /** As in http://127.0.0.1:40123 */
     origin: string;

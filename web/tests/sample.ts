@@ -159,6 +159,8 @@ export function clientWith(methods: Partial<Client>): Client {
         model: refuse,
         mesh: refuse,
         skeleton: refuse,
+        segments: refuse,
+        rig: refuse,
         evaluation: refuse,
         ...methods,
     };

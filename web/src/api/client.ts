@@ -7,6 +7,7 @@ import type {
     PreviewMesh,
     Ranker,
     SearchResult,
+    Segments,
     Skeleton,
 } from './types';
 
@@ -43,6 +44,9 @@ export interface Client {
     model(id: number, signal?: AbortSignal): Promise<ModelSummary>;
     mesh(id: number, signal?: AbortSignal): Promise<PreviewMesh>;
     skeleton(id: number, signal?: AbortSignal): Promise<Skeleton>;
+    segments(id: number, signal?: AbortSignal): Promise<Segments>;
+    /** The preview mesh as binary glTF, a primitive for each part, skinned by the skeleton. */
+    rig(id: number, signal?: AbortSignal): Promise<ArrayBuffer>;
     evaluation(ranker: Ranker, signal?: AbortSignal): Promise<Evaluation>;
 }
 
@@ -84,22 +88,41 @@ async function bodyOf(response: Response): Promise<unknown> {
 export function createClient(options: Partial<ClientOptions> = {}): Client {
     const { base, fetch } = { ...kDefaults, ...options };
 
-    async function request<T>(path: string, init: RequestInit): Promise<T> {
-        let response: Response;
+    async function send(path: string, type: string, init: RequestInit): Promise<Response> {
         try {
-            response = await fetch(base + path, {
+            return await fetch(base + path, {
                 ...init,
-                headers: { Accept: 'application/json, application/problem+json' },
+                headers: { Accept: `${type}, application/problem+json` },
             });
         } catch (error) {
             throw isAbort(error) ? error : unreachable();
         }
+    }
+
+    function refusal(response: Response, body: unknown): ApiError {
+        const requestId = response.headers.get('X-Request-Id') ?? undefined;
+        return new ApiError(problemFrom(response.status, body, requestId));
+    }
+
+    async function request<T>(path: string, init: RequestInit): Promise<T> {
+        const response = await send(path, 'application/json', init);
         const body = await bodyOf(response);
         if (!response.ok || typeof body !== 'object' || body === null) {
-            const requestId = response.headers.get('X-Request-Id') ?? undefined;
-            throw new ApiError(problemFrom(response.status, body, requestId));
+            throw refusal(response, body);
         }
         return body as T;
+    }
+
+    async function file(path: string, type: string, init: RequestInit): Promise<ArrayBuffer> {
+        const response = await send(path, type, init);
+        if (!response.ok) {
+            throw refusal(response, await bodyOf(response));
+        }
+        try {
+            return await response.arrayBuffer();
+        } catch (error) {
+            throw isAbort(error) ? error : unreachable();
+        }
     }
 
     function get<T>(path: string, signal: AbortSignal | undefined): Promise<T> {
@@ -125,6 +148,9 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
         model: (id, signal) => get(`/v1/models/${id}`, signal),
         mesh: (id, signal) => get(`/v1/models/${id}/mesh`, signal),
         skeleton: (id, signal) => get(`/v1/models/${id}/skeleton`, signal),
+        segments: (id, signal) => get(`/v1/models/${id}/segments`, signal),
+        rig: (id, signal) =>
+            file(`/v1/models/${id}/rig.glb`, 'model/gltf-binary', signal ? { signal } : {}),
         evaluation: (ranker, signal) => get(evaluationPath(ranker), signal),
     };
 }

@@ -70,6 +70,26 @@ export interface PreviewMesh {
     bounds: Bounds;
 }
 
+export interface SegmentPart {
+    part: number;
+    /** `#rrggbb`. */
+    colour: string;
+    triangles: number;
+    area: number;
+    /** Of the whole surface, 0 to 1. */
+    area_share: number;
+    /** Of the model's skeleton; null without one. */
+    branch: number | null;
+    neighbors: number[];
+}
+
+/** The parts that people would see, by descending area. */
+export interface Segments {
+    parts: SegmentPart[];
+    /** The part of each triangle of the preview mesh. */
+    labels: number[];
+}
+
 export interface MatchedPair {
     /** Id on the query's side. */
     a: number;

@@ -2,10 +2,17 @@ import type { PreviewMesh, QueryModel } from '../api/types';
 import { element, replace } from '../page/element';
 import { formatCount } from '../page/format';
 
+export interface QueryPanelOptions {
+    /** Null: the skeleton alone. */
+    mesh: PreviewMesh | null;
+    /** Where the query's parts are shown; null: nowhere, since the server does not keep it. */
+    partsHref: string | null;
+}
+
 export interface QueryPanel {
     node: HTMLElement;
-    /** Shows the query in 3D; null: its skeleton alone. */
-    show(query: QueryModel, mesh: PreviewMesh | null): Promise<void>;
+    /** Shows the query in 3D. */
+    show(query: QueryModel, options: QueryPanelOptions): Promise<void>;
     dispose(): void;
 }
 
@@ -53,8 +60,11 @@ export function queryPanel(): QueryPanel {
     let disposed = false;
     return {
         node: element('section', { class: 'query', 'aria-label': 'The query' }, picture, text),
-        async show(query, mesh) {
-            replace(text, facts(query), warnings(query));
+        async show(query, { mesh, partsHref }) {
+            const parts =
+                partsHref !== null &&
+                element('a', { class: 'button', href: partsHref }, 'Parts and pose');
+            replace(text, facts(query), parts, warnings(query));
             // three.js is fetched only where something is drawn with it.
             const { queryView } = await import('../viewer/query_view');
             if (disposed) {

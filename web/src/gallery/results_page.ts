@@ -5,13 +5,15 @@ import type { Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
 import { emptyNotice, problemNotice } from '../page/problem_notice';
-import { formatRoute, kHome, type Route, resultsOf, sameQuery } from '../page/routes';
-import { type ComparisonDialog, comparisonDialog } from './comparison_dialog';
+import { formatRoute, kHome, partsOf, type Route, resultsOf, sameQuery } from '../page/routes';
+import { comparisonDialog } from './comparison_dialog';
 import { hitGrid } from './hit_grid';
+import { partsDialog } from './parts_dialog';
 import { queryPanel } from './query_panel';
 import { type SearchForm, searchForm } from './search_form';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
+import type { ViewerDialog } from './viewer_dialog';
 
 type ResultsRoute = Extract<Route, { page: 'results' }>;
 
@@ -53,7 +55,7 @@ async function ask(
 export function resultsPage(first: ResultsRoute, context: Context): Page {
     let route = first;
     let answer: Answer | null = null;
-    let dialog: ComparisonDialog | null = null;
+    let dialog: ViewerDialog | null = null;
     let panelShown = false;
     let running = new AbortController();
     const title = element('h1', { class: 'results-title' }, 'Searching…');
@@ -68,37 +70,52 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
     let form = makeForm(route.parameters);
 
     const hrefOf = (hit: Hit): string =>
-        formatRoute(resultsOf(route.query, route.parameters, hit.id));
+        formatRoute(resultsOf(route.query, route.parameters, { kind: 'hit', id: hit.id }));
     const closeDialog = (): void => {
         const closed = dialog;
         dialog = null;
         closed?.dispose();
     };
-    const openHit = (): void => {
-        closeDialog();
-        if (!answer || route.hit === null) {
-            return;
-        }
-        const { hits, query } = answer.result;
-        const place = hits.findIndex((hit) => hit.id === route.hit);
+    const backToHits = (): void => context.navigate(resultsOf(route.query, route.parameters));
+    const hitDialog = ({ result, mesh }: Answer, id: number): ViewerDialog | null => {
+        const { hits, query } = result;
+        const place = hits.findIndex((hit) => hit.id === id);
         const hit = hits[place];
         if (!hit) {
-            context.navigate(resultsOf(route.query, route.parameters));
-            return;
+            return null;
         }
         const before = hits[place - 1];
         const after = hits[place + 1];
-        dialog = comparisonDialog(
+        return comparisonDialog(
             {
                 query,
-                queryMesh: answer.mesh,
+                queryMesh: mesh,
                 hit,
                 previousHref: before ? hrefOf(before) : null,
                 nextHref: after ? hrefOf(after) : null,
-                onClose: () => context.navigate(resultsOf(route.query, route.parameters)),
+                onClose: backToHits,
             },
             context.client,
         );
+    };
+    const openDialog = (): void => {
+        closeDialog();
+        if (!answer || route.over === null) {
+            return;
+        }
+        if (route.over.kind === 'hit') {
+            dialog = hitDialog(answer, route.over.id);
+        } else if (route.query.kind === 'model') {
+            const { query } = answer.result;
+            dialog = partsDialog(
+                { id: route.query.id, query, onClose: backToHits },
+                context.client,
+            );
+        }
+        if (!dialog) {
+            backToHits();
+            return;
+        }
         document.body.append(dialog.node);
         dialog.open();
     };
@@ -118,9 +135,12 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
         if (!panelShown) {
             // The query stays the same whatever it is asked for.
             panelShown = true;
-            void panel.show(result.query, found.mesh);
+            const { query } = route;
+            const partsHref =
+                query.kind === 'model' ? formatRoute(partsOf(query.id, route.parameters)) : null;
+            void panel.show(result.query, { mesh: found.mesh, partsHref });
         }
-        openHit();
+        openDialog();
     };
     const load = async (): Promise<void> => {
         running.abort();
@@ -187,7 +207,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
             const asked = sameParameters(next.parameters, route.parameters);
             route = next;
             if (asked) {
-                openHit();
+                openDialog();
                 return true;
             }
             if (!sameParameters(form.parameters, next.parameters)) {

@@ -7,14 +7,17 @@ import {
 
 /**
  * What the page shows, as its address after `#` says it:
- * `#/?name&class` · `#/search` · `#/models/7` · `#/models/7/hits/12` · `#/search/hits/12` ·
- * `#/reports`.
+ * `#/?name&class` · `#/search` · `#/models/7` · `#/models/7/parts` · `#/models/7/hits/12` ·
+ * `#/search/hits/12` · `#/reports`.
  */
 export type Route =
     | { page: 'home'; name: string; className: string }
-    | { page: 'results'; query: QuerySource; parameters: SearchParameters; hit: number | null }
+    | { page: 'results'; query: QuerySource; parameters: SearchParameters; over: Over }
     | { page: 'reports' }
     | { page: 'missing'; path: string };
+
+/** What lies over the results: the comparison with a hit, the parts of the query, or nothing. */
+export type Over = { kind: 'hit'; id: number } | { kind: 'parts' } | null;
 
 /** A model of the collection by its id, or the file that was uploaded last (kept in memory). */
 export type QuerySource = { kind: 'model'; id: number } | { kind: 'upload' };
@@ -24,6 +27,14 @@ export const kHome: Route = { page: 'home', name: '', className: '' };
 function parseId(text: string): number | null {
     const id = /^[0-9]{1,15}$/.test(text) ? Number(text) : Number.NaN;
     return Number.isSafeInteger(id) ? id : null;
+}
+
+function parseOver(segments: string[], source: QuerySource): Over {
+    if (segments[0] === 'parts' && segments.length === 1 && source.kind === 'model') {
+        return { kind: 'parts' };
+    }
+    const id = segments[0] === 'hits' && segments.length === 2 ? parseId(segments[1] ?? '') : null;
+    return id === null ? null : { kind: 'hit', id };
 }
 
 function parseResults(segments: string[], query: URLSearchParams): Route | null {
@@ -40,11 +51,11 @@ function parseResults(segments: string[], query: URLSearchParams): Route | null 
         source = { kind: 'model', id };
         rest = segments.slice(2);
     }
-    const hit = rest[0] === 'hits' && rest.length === 2 ? parseId(rest[1] ?? '') : null;
-    if (rest.length > 0 && hit === null) {
+    const over = parseOver(rest, source);
+    if (rest.length > 0 && over === null) {
         return null;
     }
-    return { page: 'results', query: source, parameters: decodeSearch(query), hit };
+    return { page: 'results', query: source, parameters: decodeSearch(query), over };
 }
 
 /** Takes whatever stands in the address bar. */
@@ -71,6 +82,13 @@ function withQuery(path: string, query: URLSearchParams): string {
     return query.size > 0 ? `#${path}?${query}` : `#${path}`;
 }
 
+function formatOver(over: Over): string {
+    if (over === null) {
+        return '';
+    }
+    return over.kind === 'parts' ? '/parts' : `/hits/${over.id}`;
+}
+
 /** The inverse of {@link parseRoute}. */
 export function formatRoute(route: Route): string {
     switch (route.page) {
@@ -86,8 +104,7 @@ export function formatRoute(route: Route): string {
         }
         case 'results': {
             const base = route.query.kind === 'upload' ? '/search' : `/models/${route.query.id}`;
-            const path = route.hit === null ? base : `${base}/hits/${route.hit}`;
-            return withQuery(path, encodeSearchBriefly(route.parameters));
+            return withQuery(base + formatOver(route.over), encodeSearchBriefly(route.parameters));
         }
         case 'reports':
             return '#/reports';
@@ -99,11 +116,15 @@ export function formatRoute(route: Route): string {
 export function resultsOf(
     query: QuerySource,
     parameters: SearchParameters = kSearchDefaults,
-    hit: number | null = null,
+    over: Over = null,
 ): Route {
-    return { page: 'results', query, parameters, hit };
+    return { page: 'results', query, parameters, over };
 }
 
 export function sameQuery(a: QuerySource, b: QuerySource): boolean {
     return a.kind === 'model' && b.kind === 'model' ? a.id === b.id : a.kind === b.kind;
+}
+
+export function partsOf(id: number, parameters: SearchParameters = kSearchDefaults): Route {
+    return resultsOf({ kind: 'model', id }, parameters, { kind: 'parts' });
 }

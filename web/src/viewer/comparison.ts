@@ -9,6 +9,7 @@ import { Pane } from './pane';
 import { partsList } from './parts_list';
 import type { ScreenPoint } from './pick';
 import { noWebGlNotice } from './query_view';
+import { toggle } from './toggle';
 import { hasWebGl } from './webgl';
 
 export interface ComparedModel {
@@ -35,12 +36,6 @@ interface Side {
     pairOf: ReadonlyMap<number, ColoredPair>;
     branchOf: (pair: ColoredPair) => number;
     figure: HTMLElement;
-}
-
-function toggle(label: string, on: boolean, onChange: (on: boolean) => void): HTMLElement {
-    const input = element('input', { type: 'checkbox', checked: on });
-    input.addEventListener('change', () => onChange(input.checked));
-    return element('label', { class: 'switch' }, input, element('span', {}, label));
 }
 
 function summary(input: ComparisonInput): string {
@@ -171,11 +166,11 @@ export function comparison(input: ComparisonInput): Comparison {
     return {
         node: element(
             'div',
-            { class: 'comparison-content' },
+            { class: 'dialog-content' },
             element('div', { class: 'stage' }, stage),
             element(
                 'div',
-                { class: 'comparison-side' },
+                { class: 'dialog-side' },
                 element('p', { class: 'match-summary' }, summary(input)),
                 partsList(input.parts),
                 table.node,

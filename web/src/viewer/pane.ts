@@ -1,17 +1,9 @@
-import {
-    AmbientLight,
-    DirectionalLight,
-    PerspectiveCamera,
-    Scene,
-    Vector3,
-    WebGLRenderer,
-} from 'three';
+import { Vector3 } from 'three';
 
-import { element } from '../page/element';
 import { ModelScene, type ModelSceneInput } from './model_scene';
-import { cameraPosition } from './orbit';
+import type { OrbitSource } from './orbit_input';
 import { nearestLine, type ScreenLine, type ScreenPoint } from './pick';
-import { attachOrbitInput, type OrbitSource } from './orbit_input';
+import { Picture } from './picture';
 import { onThemeChange, readViewerTheme } from './theme';
 
 export interface PaneOptions extends ModelSceneInput {
@@ -22,154 +14,89 @@ export interface PaneOptions extends ModelSceneInput {
     onHover: (branch: number | null, at: ScreenPoint | null) => void;
 }
 
-const kFieldOfViewDegrees = 38;
-const kMostPixelRatio = 2;
 const kPickTolerancePixels = 12;
 
-/**
- * A canvas that shows one model. It draws when something changed and not otherwise, and gives its
- * graphics memory and context back in {@link dispose}.
- */
+/** A canvas that shows one model with its skeleton. */
 export class Pane {
-    readonly node: HTMLElement;
-    private readonly canvas_: HTMLCanvasElement;
-    private readonly renderer_: WebGLRenderer;
-    private readonly scene_ = new Scene();
-    private readonly camera_ = new PerspectiveCamera(kFieldOfViewDegrees, 1, 0.05, 40);
+    private readonly picture_: Picture;
     private readonly model_: ModelScene;
     private readonly undo_: (() => void)[] = [];
     private readonly options_: PaneOptions;
-    private orbit_: OrbitSource;
-    private unsubscribe_: () => void = () => {};
-    private frame_ = 0;
 
     constructor(options: PaneOptions) {
         this.options_ = options;
-        this.orbit_ = options.orbit;
-        this.canvas_ = element('canvas', {
-            class: 'pane-canvas',
-            tabindex: 0,
-            role: 'img',
-            'aria-label': `${options.label}. Arrow keys turn it, plus and minus zoom.`,
+        this.picture_ = new Picture({
+            label: options.label,
+            orbit: options.orbit,
+            beforeDraw: () => {},
         });
-        this.node = element('div', { class: 'pane' }, this.canvas_);
-        this.renderer_ = new WebGLRenderer({ canvas: this.canvas_, antialias: true, alpha: true });
-        this.renderer_.setPixelRatio(Math.min(devicePixelRatio, kMostPixelRatio));
         this.model_ = new ModelScene(options, readViewerTheme());
-        this.addLights();
-        this.scene_.add(this.model_.root, this.camera_);
+        this.picture_.scene.add(this.model_.root);
         this.listen();
-        this.follow(options.orbit);
+    }
+
+    get node(): HTMLElement {
+        return this.picture_.node;
     }
 
     /** Takes another orbit: a shared one, or one of its own. */
     follow(orbit: OrbitSource): void {
-        this.unsubscribe_();
-        this.orbit_ = orbit;
-        this.unsubscribe_ = orbit.subscribe(() => this.requestDraw());
-        this.requestDraw();
+        this.picture_.follow(orbit);
     }
 
     get orbit(): OrbitSource {
-        return this.orbit_;
+        return this.picture_.orbit;
     }
 
     highlight(branch: number | null): void {
         this.model_.highlight(branch);
-        this.requestDraw();
+        this.picture_.requestDraw();
     }
 
     show(parts: { surface: boolean; nodes: boolean }): void {
         this.model_.surfaceVisible = parts.surface;
         this.model_.nodesVisible = parts.nodes;
-        this.requestDraw();
+        this.picture_.requestDraw();
     }
 
     dispose(): void {
-        cancelAnimationFrame(this.frame_);
-        this.unsubscribe_();
         for (const undo of this.undo_) {
             undo();
         }
         this.model_.dispose();
-        this.renderer_.dispose();
-        this.renderer_.forceContextLoss();
-        this.node.remove();
-    }
-
-    private addLights(): void {
-        const key = new DirectionalLight('#ffffff', 2.2);
-        key.position.set(0.6, 1, 0.8);
-        // On the camera: whatever side is looked at is lit.
-        this.camera_.add(key);
-        this.scene_.add(new AmbientLight('#ffffff', 1.1));
+        this.picture_.dispose();
     }
 
     private listen(): void {
-        const resized = new ResizeObserver(() => this.resize());
-        resized.observe(this.node);
-        const hover = (event: PointerEvent): void => this.hover(event);
-        const leave = (): void => this.options_.onHover(null, null);
-        this.canvas_.addEventListener('pointermove', hover);
-        this.canvas_.addEventListener('pointerleave', leave);
+        const { canvas } = this.picture_;
+        const undo = new AbortController();
+        const { signal } = undo;
+        canvas.addEventListener('pointermove', (event) => this.hover(event), { signal });
+        canvas.addEventListener('pointerleave', () => this.options_.onHover(null, null), {
+            signal,
+        });
         this.undo_.push(
-            () => resized.disconnect(),
-            () => this.canvas_.removeEventListener('pointermove', hover),
-            () => this.canvas_.removeEventListener('pointerleave', leave),
-            attachOrbitInput(this.canvas_, () => this.orbit_),
+            () => undo.abort(),
             onThemeChange(() => {
                 this.model_.applyTheme(readViewerTheme());
-                this.requestDraw();
+                this.picture_.requestDraw();
             }),
         );
-    }
-
-    private resize(): void {
-        const { clientWidth, clientHeight } = this.node;
-        if (clientWidth > 0 && clientHeight > 0) {
-            this.renderer_.setSize(clientWidth, clientHeight, false);
-            this.camera_.aspect = clientWidth / clientHeight;
-            this.draw();
-        }
     }
 
     private hover(event: PointerEvent): void {
         if (event.buttons !== 0) {
             return;
         }
-        const box = this.canvas_.getBoundingClientRect();
-        const at = { x: event.clientX - box.left, y: event.clientY - box.top };
-        const branch = nearestLine(this.projectedBranches(box), at, kPickTolerancePixels);
+        const at = this.picture_.pointOf(event);
+        const branch = nearestLine(this.projectedBranches(), at, kPickTolerancePixels);
         this.options_.onHover(branch, branch === null ? null : at);
     }
 
-    private projectedBranches(box: { width: number; height: number }): ScreenLine[] {
+    private projectedBranches(): ScreenLine[] {
         return this.model_.branchLines.map(({ id, points }) => ({
             id,
-            points: points.map((point) => {
-                const seen = new Vector3(...point).project(this.camera_);
-                return { x: ((seen.x + 1) / 2) * box.width, y: ((1 - seen.y) / 2) * box.height };
-            }),
+            points: points.map((point) => this.picture_.project(new Vector3(...point))),
         }));
-    }
-
-    private requestDraw(): void {
-        if (this.frame_ === 0) {
-            this.frame_ = requestAnimationFrame(() => this.draw());
-        }
-    }
-
-    private draw(): void {
-        cancelAnimationFrame(this.frame_);
-        this.frame_ = 0;
-        // A pane narrower than high has to stand further back to show the whole sphere.
-        const orbit = this.orbit_.orbit;
-        const narrow = Math.max(1, 1 / this.camera_.aspect);
-        this.camera_.position.set(
-            ...cameraPosition({ ...orbit, distance: orbit.distance * narrow }),
-        );
-        this.camera_.lookAt(0, 0, 0);
-        this.camera_.updateProjectionMatrix();
-        this.renderer_.render(this.scene_, this.camera_);
     }
 }

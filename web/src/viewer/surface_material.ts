@@ -10,11 +10,18 @@ export interface SurfaceColors {
 }
 
 const kVertexShader = /* glsl */ `
+    #include <common>
+    #include <skinning_pars_vertex>
     varying vec3 normal_view;
     varying vec3 to_viewer;
     void main() {
-        vec4 position_view = modelViewMatrix * vec4(position, 1.0);
-        normal_view = normalMatrix * normal;
+        #include <beginnormal_vertex>
+        #include <skinbase_vertex>
+        #include <skinnormal_vertex>
+        #include <begin_vertex>
+        #include <skinning_vertex>
+        vec4 position_view = modelViewMatrix * vec4(transformed, 1.0);
+        normal_view = normalMatrix * objectNormal;
         to_viewer = -position_view.xyz;
         gl_Position = projectionMatrix * position_view;
     }

@@ -6,6 +6,9 @@ export interface ViewerTheme {
     unmatched: string;
     node: string;
     highlight: string;
+    accent: string;
+    /** What parts fade towards. */
+    faded: string;
 }
 
 function variable(name: string, fallback: string): string {
@@ -25,6 +28,8 @@ export function readViewerTheme(): ViewerTheme {
         unmatched: variable('--viewer-unmatched', '#9aa0a4'),
         node: variable('--viewer-node', '#30363b'),
         highlight: variable('--viewer-highlight', '#ffffff'),
+        accent: readAccent(),
+        faded: variable('--viewer-faded', '#d9dad4'),
     };
 }
 

@@ -52,10 +52,21 @@ describe('the client', () => {
         expect(path.searchParams.get('cursor')).toBe('x=');
     });
 
+    it('fetches a rig as it is, and reads the problem where there is none', async () => {
+        const fetch = answering('glTF');
+        const rig = await createClient({ fetch }).rig(7);
+        expect(new TextDecoder().decode(rig)).toBe('glTF');
+        expect(asked(fetch).path.pathname).toBe('/v1/models/7/rig.glb');
+        const problem = { title: 'No decomposition', status: 404, code: 'segments_not_available' };
+        const refusing = createClient({ fetch: answering(problem, { status: 404 }) });
+        await expect(refusing.rig(7)).rejects.toMatchObject({ code: 'segments_not_available' });
+    });
+
     it.each([
         ['model', '/v1/models/7'],
         ['mesh', '/v1/models/7/mesh'],
         ['skeleton', '/v1/models/7/skeleton'],
+        ['segments', '/v1/models/7/segments'],
     ] as const)('asks for the %s of a model', async (method, path) => {
         const fetch = answering({});
         await createClient({ fetch })[method](7);

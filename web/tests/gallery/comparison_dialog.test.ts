@@ -1,10 +1,11 @@
 import { afterEach, expect, it, vi } from 'vitest';
 
 import { unreachable } from '../../src/api/problem';
-import { type ComparisonDialog, comparisonDialog } from '../../src/gallery/comparison_dialog';
+import { comparisonDialog } from '../../src/gallery/comparison_dialog';
+import type { ViewerDialog } from '../../src/gallery/viewer_dialog';
 import { clientWith, hit, kMesh, kSkeleton, searchResult, settled } from '../sample';
 
-let dialog: ComparisonDialog | null = null;
+let dialog: ViewerDialog | null = null;
 
 afterEach(() => {
     dialog?.dispose();
@@ -31,7 +32,7 @@ function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn()) {
 it('shows the matched branches of query and hit', async () => {
     const node = opened({ mesh: async () => kMesh, skeleton: async () => kSkeleton });
     await vi.waitFor(() => expect(node.querySelectorAll('.match-table tbody tr')).toHaveLength(1));
-    expect(node.querySelector('.comparison-body')?.hasAttribute('aria-busy')).toBe(false);
+    expect(node.querySelector('.dialog-body')?.hasAttribute('aria-busy')).toBe(false);
 });
 
 it('closes by its button, by Escape and by a press beside it', () => {

@@ -10,7 +10,7 @@ it('leads to the models that are similar, and is named after its own', () => {
     expect(parseRoute(link?.getAttribute('href') ?? '')).toMatchObject({
         page: 'results',
         query: { kind: 'model', id: 7 },
-        hit: null,
+        over: null,
     });
     expect(link?.textContent).toContain('ele<b>phant');
     expect(link?.textContent).toContain('1 branch');

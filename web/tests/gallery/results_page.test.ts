@@ -18,7 +18,11 @@ afterEach(() => {
 
 const kModel = { kind: 'model', id: 7 } as const;
 const route = (hitId: number | null = null, pose = 0.15) =>
-    resultsOf(kModel, { ...kSearchDefaults, pose }, hitId) as ResultsRoute;
+    resultsOf(
+        kModel,
+        { ...kSearchDefaults, pose },
+        hitId === null ? null : { kind: 'hit', id: hitId },
+    ) as ResultsRoute;
 
 function client() {
     return {

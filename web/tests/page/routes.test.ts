@@ -5,6 +5,7 @@ import {
     formatRoute,
     kHome,
     parseRoute,
+    partsOf,
     type QuerySource,
     type Route,
     resultsOf,
@@ -15,14 +16,15 @@ function* routes(): Generator<Route> {
     yield kHome;
     yield { page: 'home', name: 'a b&c', className: 'four/legs #1?' };
     yield { page: 'reports' };
+    yield partsOf(7);
     const sources: QuerySource[] = [{ kind: 'upload' }, { kind: 'model', id: 7 }];
     for (const source of sources) {
-        for (const hit of [null, 12]) {
-            yield resultsOf(source, kSearchDefaults, hit);
+        for (const over of [null, { kind: 'hit', id: 12 } as const]) {
+            yield resultsOf(source, kSearchDefaults, over);
             yield resultsOf(
                 source,
                 { ranker: 'chain-code', pose: 0.5, rerank: true, limit: 96, className: 'ü &=' },
-                hit,
+                over,
             );
         }
     }
@@ -49,9 +51,10 @@ describe('routes', () => {
 
     it('have the documented addresses', () => {
         expect(formatRoute(resultsOf({ kind: 'model', id: 7 }))).toBe('#/models/7');
-        expect(formatRoute(resultsOf({ kind: 'upload' }, kSearchDefaults, 12))).toBe(
-            '#/search/hits/12',
-        );
+        expect(
+            formatRoute(resultsOf({ kind: 'upload' }, kSearchDefaults, { kind: 'hit', id: 12 })),
+        ).toBe('#/search/hits/12');
+        expect(formatRoute(partsOf(7))).toBe('#/models/7/parts');
         expect(parseRoute('#/reports')).toEqual({ page: 'reports' });
     });
 
@@ -62,6 +65,8 @@ describe('routes', () => {
         '#/models/1.5',
         '#/models/99999999999999999999',
         '#/models/7/hits',
+        '#/models/7/parts/3',
+        '#/search/parts',
         '#/models/7/hits/x',
         '#/models/7/hits/3/4',
         '#/models/7/other/3',

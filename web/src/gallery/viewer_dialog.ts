@@ -1,0 +1,90 @@
+import { isAbort } from '../api/problem';
+import { type Child, element, replace } from '../page/element';
+import { problemNotice } from '../page/problem_notice';
+
+export interface DialogView {
+    node: HTMLElement;
+    dispose(): void;
+}
+
+export interface ViewerDialogOptions {
+    title: Child;
+    /** Between the title and the button that closes it. */
+    actions: Child;
+    /** Fetches and builds what is shown. */
+    load: (signal: AbortSignal) => Promise<DialogView>;
+    onClose: () => void;
+}
+
+export interface ViewerDialog {
+    node: HTMLDialogElement;
+    open(): void;
+    dispose(): void;
+}
+
+/** The window over the hits; Escape and the browser's way back close it. */
+export function viewerDialog({ title, actions, load, onClose }: ViewerDialogOptions): ViewerDialog {
+    const running = new AbortController();
+    let view: DialogView | null = null;
+    const body = element('div', { class: 'dialog-body', 'aria-busy': 'true' });
+    const close = element(
+        'button',
+        { type: 'button', class: 'button button-icon', 'aria-label': 'Close', click: onClose },
+        '✕',
+    );
+    const node = element(
+        'dialog',
+        { class: 'viewer-dialog', 'aria-labelledby': 'dialog-title' },
+        element(
+            'div',
+            { class: 'dialog-head' },
+            element('h2', { id: 'dialog-title' }, title),
+            element('div', { class: 'dialog-actions' }, actions, close),
+        ),
+        body,
+    );
+    const fill = async (): Promise<void> => {
+        body.setAttribute('aria-busy', 'true');
+        replace(body, element('div', { class: 'dialog-loading' }, 'Loading…'));
+        try {
+            const made = await load(running.signal);
+            if (running.signal.aborted) {
+                made.dispose();
+                return;
+            }
+            view = made;
+            replace(body, made.node);
+        } catch (error) {
+            if (!isAbort(error)) {
+                replace(body, problemNotice(error, { retry: () => void fill() }));
+            }
+        } finally {
+            body.removeAttribute('aria-busy');
+        }
+    };
+    // Escape: the address changes first, and the dialog goes with it.
+    node.addEventListener('cancel', (event) => {
+        event.preventDefault();
+        onClose();
+    });
+    // A press on the backdrop arrives at the dialog itself.
+    node.addEventListener('click', (event) => {
+        if (event.target === node) {
+            onClose();
+        }
+    });
+    return {
+        node,
+        open() {
+            node.showModal();
+            close.focus();
+            void fill();
+        },
+        dispose() {
+            running.abort();
+            view?.dispose();
+            node.close();
+            node.remove();
+        },
+    };
+}

@@ -1,0 +1,112 @@
+import type { Segments, Skeleton } from '../api/types';
+import { type Child, element } from '../page/element';
+import { formatPlural } from '../page/format';
+import { partColors } from './part_colors';
+import { formatShare, partLegend } from './part_legend';
+import type { ScreenPoint } from './pick';
+import { noWebGlNotice, type View } from './query_view';
+import { loadRig } from './rig';
+import { RigPane } from './rig_pane';
+import { toggle } from './toggle';
+import { hasWebGl } from './webgl';
+
+export interface PartsInput {
+    name: string;
+    skeleton: Skeleton;
+    segments: Segments;
+    /** Binary glTF. */
+    rig: ArrayBuffer;
+}
+
+function button(label: string, click: () => void): HTMLElement {
+    return element('button', { type: 'button', class: 'button button-quiet', click }, label);
+}
+
+function controls(pane: RigPane): HTMLElement {
+    const shown = { parts: true, joints: true };
+    pane.show(shown);
+    return element(
+        'div',
+        { class: 'viewer-controls', role: 'group', 'aria-label': 'View' },
+        toggle('Parts', shown.parts, (on) => {
+            shown.parts = on;
+            pane.show(shown);
+        }),
+        toggle('Joints', shown.joints, (on) => {
+            shown.joints = on;
+            pane.show(shown);
+        }),
+        element(
+            'span',
+            { class: 'viewer-buttons' },
+            pane.jointCount > 0 && button('Reset pose', () => pane.resetPose()),
+            button('Reset view', () => pane.resetView()),
+        ),
+    );
+}
+
+function advice(joints: number): HTMLElement {
+    return element(
+        'p',
+        { class: 'fine' },
+        joints > 0
+            ? 'Drag a joint to move what hangs on it. With the keyboard: Tab to a joint, arrow keys move it, Home puts it back.'
+            : 'The skeleton of this model has no branch to turn, so that there is nothing to pose.',
+    );
+}
+
+/** A model coloured by its parts, with joints to move it by and a legend. */
+export async function partsView(input: PartsInput): Promise<View> {
+    const { parts } = input.segments;
+    const colors = partColors(parts);
+    const label = element('span', { class: 'pane-label', hidden: true });
+    let pane: RigPane | null = null;
+    const choose = (part: number | null): void => {
+        legend.highlight(part);
+        pane?.highlight(part);
+    };
+    const legend = partLegend({ parts, colors, onChoose: choose });
+    const hovered = (part: number | null, at: ScreenPoint | null): void => {
+        choose(part);
+        label.hidden = at === null;
+        if (at && part !== null) {
+            label.style.setProperty('--x', `${at.x}px`);
+            label.style.setProperty('--y', `${at.y}px`);
+            label.textContent = `Part ${part + 1} · ${formatShare(parts[part]?.area_share ?? 0)}`;
+        }
+    };
+    let stage: Child = noWebGlNotice();
+    if (hasWebGl()) {
+        pane = new RigPane({
+            rig: await loadRig(input.rig),
+            skeleton: input.skeleton,
+            colors,
+            label: `${input.name} by its parts`,
+            onHover: hovered,
+        });
+        pane.node.append(label);
+        stage = [element('div', { class: 'side' }, pane.node), controls(pane)];
+    }
+    const summary = formatPlural(parts.length, 'part');
+    return {
+        node: element(
+            'div',
+            { class: 'dialog-content' },
+            element('div', { class: 'stage' }, stage),
+            element(
+                'div',
+                { class: 'dialog-side' },
+                element(
+                    'p',
+                    { class: 'match-summary' },
+                    pane
+                        ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.`
+                        : `${summary}.`,
+                ),
+                pane && advice(pane.jointCount),
+                legend.node,
+            ),
+        ),
+        dispose: () => pane?.dispose(),
+    };
+}

@@ -1,0 +1,151 @@
+import {
+    AmbientLight,
+    DirectionalLight,
+    PerspectiveCamera,
+    Scene,
+    Vector3,
+    WebGLRenderer,
+} from 'three';
+
+import { element } from '../page/element';
+import { cameraPosition } from './orbit';
+import { attachOrbitInput, type OrbitSource } from './orbit_input';
+import type { ScreenPoint } from './pick';
+
+export interface PictureOptions {
+    /** What a screen reader calls the picture. */
+    label: string;
+    orbit: OrbitSource;
+    /** The camera stands where the picture is about to be taken from. */
+    beforeDraw: () => void;
+}
+
+const kFieldOfViewDegrees = 38;
+const kMostPixelRatio = 2;
+
+/**
+ * A canvas with a lit scene around the unit sphere. It draws when something changed and not
+ * otherwise, and gives its graphics memory and context back in {@link dispose}.
+ */
+export class Picture {
+    readonly node: HTMLElement;
+    readonly canvas: HTMLCanvasElement;
+    readonly scene = new Scene();
+    readonly camera = new PerspectiveCamera(kFieldOfViewDegrees, 1, 0.05, 40);
+    private readonly renderer_: WebGLRenderer;
+    private readonly undo_: (() => void)[] = [];
+    private readonly beforeDraw_: () => void;
+    private orbit_: OrbitSource;
+    private unsubscribe_: () => void = () => {};
+    private frame_ = 0;
+
+    constructor(options: PictureOptions) {
+        this.orbit_ = options.orbit;
+        this.beforeDraw_ = options.beforeDraw;
+        this.canvas = element('canvas', {
+            class: 'pane-canvas',
+            tabindex: 0,
+            role: 'img',
+            'aria-label': `${options.label}. Arrow keys turn it, plus and minus zoom.`,
+        });
+        this.node = element('div', { class: 'pane' }, this.canvas);
+        this.renderer_ = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
+        this.renderer_.setPixelRatio(Math.min(devicePixelRatio, kMostPixelRatio));
+        this.addLights();
+        this.scene.add(this.camera);
+        const resized = new ResizeObserver(() => this.resize());
+        resized.observe(this.node);
+        this.undo_.push(
+            () => resized.disconnect(),
+            attachOrbitInput(this.canvas, () => this.orbit_),
+        );
+        this.follow(options.orbit);
+    }
+
+    /** Takes another orbit: a shared one, or one of its own. */
+    follow(orbit: OrbitSource): void {
+        this.unsubscribe_();
+        this.orbit_ = orbit;
+        this.unsubscribe_ = orbit.subscribe(() => this.requestDraw());
+        this.requestDraw();
+    }
+
+    get orbit(): OrbitSource {
+        return this.orbit_;
+    }
+
+    requestDraw(): void {
+        if (this.frame_ === 0) {
+            this.frame_ = requestAnimationFrame(() => this.draw());
+        }
+    }
+
+    /** Where an event happened, in pixels from the canvas' corner. */
+    pointOf(event: { clientX: number; clientY: number }): ScreenPoint {
+        const box = this.canvas.getBoundingClientRect();
+        return { x: event.clientX - box.left, y: event.clientY - box.top };
+    }
+
+    /** Where a point of the scene is seen; `depth` grows from -1 (near) to 1. */
+    project(point: Vector3): ScreenPoint & { depth: number } {
+        const { clientWidth, clientHeight } = this.canvas;
+        const seen = point.clone().project(this.camera);
+        return {
+            x: ((seen.x + 1) / 2) * clientWidth,
+            y: ((1 - seen.y) / 2) * clientHeight,
+            depth: seen.z,
+        };
+    }
+
+    /** The direction from the camera through a pixel. */
+    direction(at: ScreenPoint): Vector3 {
+        const { clientWidth, clientHeight } = this.canvas;
+        const x = (2 * at.x) / Math.max(1, clientWidth) - 1;
+        const y = 1 - (2 * at.y) / Math.max(1, clientHeight);
+        return new Vector3(x, y, 0.5).unproject(this.camera).sub(this.camera.position).normalize();
+    }
+
+    dispose(): void {
+        cancelAnimationFrame(this.frame_);
+        this.unsubscribe_();
+        for (const undo of this.undo_) {
+            undo();
+        }
+        this.renderer_.dispose();
+        this.renderer_.forceContextLoss();
+        this.node.remove();
+    }
+
+    private addLights(): void {
+        const key = new DirectionalLight('#ffffff', 2.2);
+        key.position.set(0.6, 1, 0.8);
+        // On the camera: whatever side is looked at is lit.
+        this.camera.add(key);
+        this.scene.add(new AmbientLight('#ffffff', 1.1));
+    }
+
+    private resize(): void {
+        const { clientWidth, clientHeight } = this.node;
+        if (clientWidth > 0 && clientHeight > 0) {
+            this.renderer_.setSize(clientWidth, clientHeight, false);
+            this.camera.aspect = clientWidth / clientHeight;
+            this.draw();
+        }
+    }
+
+    private draw(): void {
+        cancelAnimationFrame(this.frame_);
+        this.frame_ = 0;
+        // A picture narrower than high has to be taken from further back to show the whole sphere.
+        const orbit = this.orbit_.orbit;
+        const narrow = Math.max(1, 1 / this.camera.aspect);
+        this.camera.position.set(
+            ...cameraPosition({ ...orbit, distance: orbit.distance * narrow }),
+        );
+        this.camera.lookAt(0, 0, 0);
+        this.camera.updateProjectionMatrix();
+        this.camera.updateMatrixWorld(true);
+        this.beforeDraw_();
+        this.renderer_.render(this.scene, this.camera);
+    }
+}
