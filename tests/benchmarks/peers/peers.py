@@ -204,6 +204,34 @@ def compare_skeletons(programs, models, scratch, out):
     write_csv(out / "skeletons.csv", rows)
 
 
+def scores_of(programs, collection, scratch, *more):
+    """What `evaluate-segmentation` finds, by the number of the model."""
+    subprocess.run([programs.ossuary, "evaluate-segmentation", "--jobs", "1",
+                    "--models", collection / "off", "--truth", collection / "seg",
+                    "--classes", collection / "segmentation-all.cla", "--out", scratch, *more],
+                   check=True, stdout=subprocess.DEVNULL)
+    with open(scratch / "scores.csv", encoding="utf-8") as file:
+        return {row["model"]: row for row in csv.DictReader(file)}
+
+
+def compare_segmentation(programs, collection, scratch, out):
+    """Parts by CGAL's shape diameters with its defaults, and ours: processor time and Rand index
+    error of every model of the segmentation benchmark. Some 25 minutes."""
+    cut = subprocess.run([programs.cgal, collection / "off", scratch / "cgal"], check=True,
+                         capture_output=True, text=True)
+    cgal = scores_of(programs, collection, scratch / "cgal-scores",
+                     "--segmentations", scratch / "cgal")
+    ours = scores_of(programs, collection, scratch / "ours-scores")
+    rows = [{"model": row["model"], "class": ours[row["model"]]["class"], "faces": row["faces"],
+             "ours_ms": row["ours_ms"], "cgal_ms": row["cgal_ms"],
+             "ratio": round(float(row["cgal_ms"]) / float(row["ours_ms"]), 1),
+             "ours_rand_index_error": round(float(ours[row["model"]]["rand_index_error"]), 4),
+             "cgal_rand_index_error": round(float(cgal[row["model"]]["rand_index_error"]), 4)}
+            for row in csv.DictReader(cut.stdout.splitlines())]
+    write_csv(out / "segmentation.csv", rows)
+    report_ratios(rows)
+
+
 def models_of_benchmark(collection, numbers):
     return [collection / "off" / f"{number}.off" for number in numbers]
 
@@ -216,7 +244,7 @@ def five_of_each_class():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("work", nargs="+", choices=("thinning", "voxelization", "skeletons"))
+    parser.add_argument("work", nargs="+", choices=("thinning", "voxelization", "skeletons", "segmentation"))
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release/bin")
     parser.add_argument("--data", type=pathlib.Path,
                         default=os.environ.get("OSSUARY_DATA", "/tmp/ossuary-data"))
@@ -224,6 +252,7 @@ def main():
     programs = parser.parse_args()
     programs.ossuary = programs.build / "ossuary"
     programs.ours = programs.build / "ossuary_peer_ours"
+    programs.cgal = programs.build / "ossuary_peer_cgal"
     collection = programs.data / "princeton-segmentation"
     if not collection.is_dir():
         sys.exit(f"{collection}: not found; name the benchmark's folder with --data")
@@ -238,6 +267,8 @@ def main():
         if "skeletons" in programs.work:
             compare_skeletons(programs, models_of_benchmark(collection, five_of_each_class()),
                               scratch, programs.out)
+        if "segmentation" in programs.work:
+            compare_segmentation(programs, collection, scratch, programs.out)
 
 
 if __name__ == "__main__":
