@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "engine/core/parallel.h"
 #include "engine/core/stopwatch.h"
 #include "engine/decomposition/cut_discrepancy.h"
+#include "engine/decomposition/registered_cuts.h"
 #include "engine/decomposition/seg_file.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
@@ -39,6 +41,10 @@ constexpr ScoreField kScoreFields[] = {
     {"local_consistency_error", &SegmentationScores::local_consistency},
     {"consistency_error_area", &SegmentationScores::global_consistency_area},
     {"local_consistency_error_area", &SegmentationScores::local_consistency_area},
+    {"registered_cuts", &SegmentationScores::registered_cuts},
+    {"additional_cuts", &SegmentationScores::additional_cuts},
+    {"missing_cuts", &SegmentationScores::missing_cuts},
+    {"people_registered_cuts", &SegmentationScores::people_registered_cuts},
     {"people_rand_index_error", &SegmentationScores::people_rand_index_error},
     {"parts", &SegmentationScores::parts},
     {"people_parts", &SegmentationScores::people_parts},
@@ -129,6 +135,36 @@ void add_cut_discrepancy(const std::vector<Segmentation>& truths, const Triangle
     if (defined > 0) model.scores.cut_discrepancy = sum / defined;
 }
 
+void add_registered_cuts(const std::vector<Segmentation>& truths, const TriangleMesh& mesh,
+                         Model& model) {
+    const double area = measure(mesh).surface_area;
+    if (area <= 0.0) return;
+    const double scale = 1.0 / std::sqrt(area);
+    const EdgeTable edges = build_edge_table(mesh);
+    const auto cuts_of = [&](const Segmentation& faces) {
+        return find_cuts(mesh, edges, on_triangles(mesh, faces));
+    };
+    const std::vector<Cut> made = cuts_of(model.segmentation);
+    std::vector<std::vector<Cut>> people;
+    for (const Segmentation& truth : truths) people.push_back(cuts_of(truth));
+    SegmentationScores& scores = model.scores;
+    const double share = scale / static_cast<double>(truths.size());
+    double sum = 0.0;
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+        const RegisteredCuts found = register_cuts(people[i], made);
+        scores.registered_cuts += share * found.total();
+        scores.additional_cuts += share * found.additional;
+        scores.missing_cuts += share * found.missing;
+        for (std::size_t j = 0; j < people.size(); ++j) {
+            if (i == j) continue;
+            sum += scale * register_cuts(people[i], people[j]).total();
+            ++pairs;
+        }
+    }
+    if (pairs > 0) scores.people_registered_cuts = sum / static_cast<double>(pairs);
+}
+
 Result<Segmentation> segmentation_of(const TriangleMesh& mesh,
                                      const SegmentationEvaluationOptions& options,
                                      const std::vector<Segmentation>& truths, Model& model,
@@ -163,6 +199,7 @@ Result<Model> evaluate_model(const ClassifiedModel& named,
     model.segmentation = *std::move(made);
     add_face_scores(*truths, face_areas(read->mesh), model);
     add_cut_discrepancy(*truths, read->mesh, model);
+    add_registered_cuts(*truths, read->mesh, model);
     return model;
 }
 

@@ -30,7 +30,13 @@ struct SegmentationEvaluationOptions {
 
 /// Means over people for a model, over models for a class or the whole.
 struct SegmentationScores : SegmentationErrors {
-    double cut_discrepancy = 0.0;          ///< over the models where it is defined
+    double cut_discrepancy = 0.0;  ///< over the models where it is defined
+    /// The thesis' distance of registered cuts (registered_cuts.h) with people as the reference,
+    /// over the square root of the model's area; and of people from each other.
+    double registered_cuts = 0.0;
+    double additional_cuts = 0.0;  ///< the part of it that cuts without a counterpart make up
+    double missing_cuts = 0.0;     ///< people's cuts without one, which it does not count
+    double people_registered_cuts = 0.0;
     double people_rand_index_error = 0.0;  ///< of people against each other
     double parts = 0.0;
     double people_parts = 0.0;  ///< in the median
@@ -62,7 +68,8 @@ struct SegmentationEvaluation {
 };
 
 /// Segments models and holds the result against what people made of them, by the measures of the
-/// Princeton segmentation benchmark (segmentation_metrics.h, cut_discrepancy.h). A model that
+/// Princeton segmentation benchmark (segmentation_metrics.h, cut_discrepancy.h) and by the thesis'
+/// distance of registered cuts. A model that
 /// cannot be read or segmented is a failure of its own and left out of the means.
 /// Errors: file_not_found (a folder), model_not_found (no model with a truth), cancelled.
 Result<SegmentationEvaluation> evaluate_segmentation(const SegmentationEvaluationOptions& options,

@@ -42,6 +42,7 @@ void print_evaluation(const index::SegmentationEvaluation& evaluation) {
                  {"people", Align::kRight},
                  {"Hamming", Align::kRight},
                  {"cut discrepancy", Align::kRight},
+                 {"cuts", Align::kRight},
                  {"GCE", Align::kRight},
                  {"LCE", Align::kRight},
                  {"parts", Align::kRight},
@@ -49,8 +50,9 @@ void print_evaluation(const index::SegmentationEvaluation& evaluation) {
     const auto add = [&](const index::SegmentationEvaluation::Row& row) {
         const index::SegmentationScores& s = row.scores;
         std::vector<std::string> cells = {row.name, std::to_string(row.models)};
-        for (const double value : {s.rand_index_error, s.people_rand_index_error, s.hamming,
-                                   s.cut_discrepancy, s.global_consistency, s.local_consistency}) {
+        for (const double value :
+             {s.rand_index_error, s.people_rand_index_error, s.hamming, s.cut_discrepancy,
+              s.registered_cuts, s.global_consistency, s.local_consistency}) {
             cells.push_back(fmt::format("{:.3f}", value));
         }
         cells.push_back(fmt::format("{:.1f}", s.parts));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "engine/decomposition/seg_file.h"
@@ -56,6 +57,12 @@ TEST_F(SegmentationEvaluationTest, AveragesOverPeopleThenModels) {
     EXPECT_EQ(evaluation->mean.scores.people_parts, 2.0);
     // The cut of model 1 is that of two people; against the third it is not defined.
     EXPECT_EQ(evaluation->models[0].scores.cut_discrepancy, 0.0);
+    // It is additional to the third; whoever makes no cut makes none too many.
+    const double length = evaluation->models[0].scores.registered_cuts * 3 * std::sqrt(6.0);
+    EXPECT_NEAR(length, evaluation->models[1].scores.missing_cuts * 1.5 * std::sqrt(6.0), 1e-12);
+    EXPECT_GT(length, 3.9);
+    EXPECT_EQ(evaluation->models[1].scores.registered_cuts, 0.0);
+    EXPECT_EQ(evaluation->models[0].scores.missing_cuts, 0.0);
 }
 
 TEST_F(SegmentationEvaluationTest, GivesTheMeansOfEachClass) {
