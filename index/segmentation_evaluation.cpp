@@ -84,13 +84,6 @@ double median_parts(const std::vector<Segmentation>& truths) {
     return 0.5 * (parts[middle - 1] + parts[middle]);
 }
 
-/// The labels of a file's faces on its triangles.
-Segmentation on_triangles(const TriangleMesh& mesh, const Segmentation& faces) {
-    std::vector<std::uint32_t> labels;
-    for (const std::uint32_t face : mesh.face_of_triangle) labels.push_back(faces.labels[face]);
-    return dense_segmentation(labels);
-}
-
 std::vector<double> face_areas(const TriangleMesh& mesh) {
     std::vector<double> areas(mesh.face_count, 0.0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -122,11 +115,12 @@ void add_face_scores(const std::vector<Segmentation>& truths, const std::vector<
 void add_cut_discrepancy(const std::vector<Segmentation>& truths, const TriangleMesh& mesh,
                          Model& model) {
     const CutDiscrepancy discrepancy(mesh);
-    const auto ours = discrepancy.cuts_of(on_triangles(mesh, model.segmentation));
+    const auto ours = discrepancy.cuts_of(triangle_segmentation(mesh, model.segmentation));
     double sum = 0.0;
     int defined = 0;
     for (const Segmentation& truth : truths) {
-        const auto value = discrepancy(discrepancy.cuts_of(on_triangles(mesh, truth)), ours);
+        const auto value =
+            discrepancy(discrepancy.cuts_of(triangle_segmentation(mesh, truth)), ours);
         if (!value) continue;
         sum += *value;
         ++defined;
@@ -142,7 +136,7 @@ void add_registered_cuts(const std::vector<Segmentation>& truths, const Triangle
     const double scale = 1.0 / std::sqrt(area);
     const EdgeTable edges = build_edge_table(mesh);
     const auto cuts_of = [&](const Segmentation& faces) {
-        return find_cuts(mesh, edges, on_triangles(mesh, faces));
+        return find_cuts(mesh, edges, triangle_segmentation(mesh, faces));
     };
     const std::vector<Cut> made = cuts_of(model.segmentation);
     std::vector<std::vector<Cut>> people;

@@ -211,4 +211,11 @@ Segmentation face_segmentation(const TriangleMesh& mesh, const Segmentation& tri
     return faces;
 }
 
+Segmentation triangle_segmentation(const TriangleMesh& mesh, const Segmentation& faces) {
+    std::vector<std::uint32_t> labels;
+    labels.reserve(mesh.triangles.size());
+    for (const std::uint32_t face : mesh.face_of_triangle) labels.push_back(faces.labels[face]);
+    return dense_segmentation(labels);
+}
+
 }  // namespace ossuary

@@ -92,4 +92,8 @@ Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions
 [[nodiscard]] Segmentation face_segmentation(const TriangleMesh& mesh,
                                              const Segmentation& triangles);
 
+/// The other way round: each triangle's part is that of its face.
+[[nodiscard]] Segmentation triangle_segmentation(const TriangleMesh& mesh,
+                                                 const Segmentation& faces);
+
 }  // namespace ossuary

@@ -62,8 +62,8 @@ std::vector<Cut> find_cuts(const TriangleMesh& mesh, const EdgeTable& edges,
     for (const EdgeTable::Edge& edge : edges.edges) {
         const auto sides = edges.sides_of(edge);
         if (sides.size() != 2) continue;
-        const auto [low, high] = std::minmax(
-            {segmentation.labels[sides[0] / 3], segmentation.labels[sides[1] / 3]});
+        const auto [low, high] =
+            std::minmax({segmentation.labels[sides[0] / 3], segmentation.labels[sides[1] / 3]});
         if (low != high) between[{low, high}].push_back(&edge);
     }
     std::vector<std::pair<const EdgeTable::Edge*, Cut>> found;

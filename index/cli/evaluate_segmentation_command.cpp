@@ -8,15 +8,19 @@
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/write_file.h"
+#include "index/parts_sheet.h"
 #include "index/segmentation_evaluation.h"
 
 namespace ossuary::cli {
 namespace {
 
+constexpr int kCellPixels = 144;
+
 struct Options {
     index::SegmentationEvaluationOptions evaluation;
     std::string classes_path;
     std::string out;
+    std::string picture;
     std::string method = "evidence";
     std::string parts = "auto";
 };
@@ -91,6 +95,14 @@ Result<ExitCode> run(Options options, const Session& session) {
             return written.error();
         }
     }
+    if (!options.picture.empty()) {
+        const auto png = index::evaluation_sheet(options.evaluation, *evaluation, kCellPixels);
+        if (!png.ok()) return png.error();
+        const std::string bytes(png->begin(), png->end());
+        if (const auto written = write_file(options.picture, bytes); !written.ok()) {
+            return written.error();
+        }
+    }
     if (session.json) {
         print_json(to_json(*evaluation));
     } else {
@@ -135,6 +147,11 @@ void add_evaluate_segmentation(CLI::App& app, Session& session) {
         ->add_option("--out", options->out,
                      "Write the segmentations (N.seg), scores.csv and scores.json into this folder")
         ->type_name("DIR");
+    command
+        ->add_option("--picture", options->picture,
+                     "Draw the first model of each class as a PNG: a person's parts, the thesis' "
+                     "method's, ours, and those of --segmentations")
+        ->type_name("FILE");
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }
 

@@ -45,6 +45,10 @@ Result<void> check(const TriangleMesh& mesh, const ThumbnailOptions& options) {
     if (!(options.margin >= 0 && options.margin < 0.5)) {
         return invalid("thumbnail margin: expected 0 to 0.5 of the picture");
     }
+    if (!options.triangle_colors.empty() &&
+        options.triangle_colors.size() != mesh.triangles.size()) {
+        return invalid("thumbnail colors: expected one for each triangle");
+    }
     if (!(options.up.cross(options.towards_viewer).norm() > 1e-9)) {
         return invalid("thumbnail view: expected an upward direction across the line of sight");
     }
@@ -92,16 +96,22 @@ struct Pixel {
 /// the time of nine rays through every pixel, with sixteen where they count.
 class Painter {
 public:
-    Painter(const TriangleMesh& mesh, const std::vector<Vec3f>& vertices, const RayScene& scene,
+    Painter(const WeldResult& welded, const std::vector<Vec3f>& vertices, const RayScene& scene,
             const ThumbnailOptions& options)
-        : mesh_(mesh),
+        : mesh_(welded.mesh),
           vertices_(vertices),
           scene_(scene),
           options_(options),
-          normals_(vertices, mesh.triangles),
+          normals_(vertices, welded.mesh.triangles),
           color_(linear_color(options.color)),
           pixels_(static_cast<std::size_t>(options.size * options.size)),
-          normal_of_(pixels_.size(), Vec3f::Zero()) {
+          normal_of_(pixels_.size(), Vec3f::Zero()),
+          color_of_(pixels_.size(), Vec3f::Zero()) {
+        if (!options.triangle_colors.empty()) {
+            for (const std::uint32_t source : welded.source_triangle) {
+                triangle_colors_.push_back(linear_color(options.triangle_colors[source]));
+            }
+        }
         for (const Vec3f& vertex : vertices) nearest_ = std::max(nearest_, vertex.z());
         nearest_ += 1.0f;
     }
@@ -117,6 +127,10 @@ public:
     }
 
 private:
+    [[nodiscard]] const Vec3f& color_at(const RayHit& hit) const {
+        return triangle_colors_.empty() ? color_ : triangle_colors_[hit.triangle];
+    }
+
     void paint_centers() {
         const int size = options_.size;
         std::vector<Vec3f> origins(static_cast<std::size_t>(size));
@@ -130,7 +144,8 @@ private:
             for (const RayHit& hit : hits) {
                 if (hit.triangle != RayHit::kNone) {
                     normal_of_[p] = normals_.at(hit);
-                    pixels_[p] = {lit_color(normal_of_[p], color_), 1.0f};
+                    color_of_[p] = color_at(hit);
+                    pixels_[p] = {lit_color(normal_of_[p], color_of_[p]), 1.0f};
                 }
                 ++p;
             }
@@ -143,7 +158,10 @@ private:
         const auto size = static_cast<std::size_t>(options_.size);
         const auto compare = [&](std::size_t p, std::size_t q) {
             constexpr float kMuch = 0.3f;
-            if ((normal_of_[p] - normal_of_[q]).squaredNorm() > kMuch) refine[p] = refine[q] = 1;
+            if ((normal_of_[p] - normal_of_[q]).squaredNorm() > kMuch ||
+                color_of_[p] != color_of_[q]) {
+                refine[p] = refine[q] = 1;
+            }
         };
         for (std::size_t row = 0; row < size; ++row) {
             for (std::size_t column = 0; column < size; ++column) {
@@ -173,7 +191,7 @@ private:
         int met = 0;
         for (const RayHit& hit : hits_) {
             if (hit.triangle == RayHit::kNone) continue;
-            light += lit_color(normals_.at(hit), color_);
+            light += lit_color(normals_.at(hit), color_at(hit));
             ++met;
         }
         pixels_[p] = {};
@@ -188,9 +206,11 @@ private:
     const ThumbnailOptions& options_;
     SmoothNormals normals_;
     Vec3f color_;
+    std::vector<Vec3f> triangle_colors_;
     float nearest_ = 0.0f;
     std::vector<Pixel> pixels_;
     std::vector<Vec3f> normal_of_;
+    std::vector<Vec3f> color_of_;
     std::vector<Vec3f> origins_;
     std::vector<RayHit> hits_;
 };
@@ -218,16 +238,21 @@ std::vector<std::uint8_t> to_bytes(const std::vector<Pixel>& pixels,
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> render_thumbnail(const TriangleMesh& mesh,
-                                                   const ThumbnailOptions& options) {
+Result<PixelPicture> render_pixels(const TriangleMesh& mesh, const ThumbnailOptions& options) {
     if (Result<void> checked = check(mesh, options); !checked) return checked.error();
-    const TriangleMesh welded = weld(mesh).mesh;  // so that shading runs across a soup's seams
-    const std::vector<Vec3f> vertices = framed_vertices(welded, options);
-    const Result<RayScene> scene = RayScene::build(vertices, welded.triangles);
+    const WeldResult welded = weld(mesh);  // so that shading runs across a soup's seams
+    const std::vector<Vec3f> vertices = framed_vertices(welded.mesh, options);
+    const Result<RayScene> scene = RayScene::build(vertices, welded.mesh.triangles);
     if (!scene) return scene.error();
     const std::vector<Pixel> pixels = Painter(welded, vertices, *scene, options).paint();
-    return png_bytes(to_bytes(pixels, options), options.size, options.size,
-                     options.background ? 3 : 4);
+    return PixelPicture{options.size, options.background ? 3 : 4, to_bytes(pixels, options)};
+}
+
+Result<std::vector<std::uint8_t>> render_thumbnail(const TriangleMesh& mesh,
+                                                   const ThumbnailOptions& options) {
+    const Result<PixelPicture> picture = render_pixels(mesh, options);
+    if (!picture) return picture.error();
+    return png_bytes(picture->bytes, picture->size, picture->size, picture->channels);
 }
 
 }  // namespace ossuary::index

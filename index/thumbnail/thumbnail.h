@@ -19,9 +19,21 @@ struct ThumbnailOptions {
     Vec3 up = Vec3::UnitY();
     double margin = 0.05;                                 ///< empty border, in parts of the picture
     std::array<std::uint8_t, 3> color = {214, 204, 184};  ///< of the surface, sRGB
+    /// Of each triangle instead; none, or as many as the mesh has triangles.
+    std::vector<std::array<std::uint8_t, 3>> triangle_colors = {};
     /// sRGB; transparent where none is given.
-    std::optional<std::array<std::uint8_t, 3>> background;
+    std::optional<std::array<std::uint8_t, 3>> background = std::nullopt;
 };
+
+/// A square picture: `channels` bytes a pixel (RGBA, or RGB with a background), rows from the top.
+struct PixelPicture {
+    int size = 0;
+    int channels = 0;
+    std::vector<std::uint8_t> bytes;
+};
+
+/// As render_thumbnail, but as pixels.
+Result<PixelPicture> render_pixels(const TriangleMesh& mesh, const ThumbnailOptions& options = {});
 
 /// Draws a model from three quarters, framed to fill the picture, as a PNG file's bytes (RGBA, or
 /// RGB with a background). Surfaces are lit from both sides, so that soups with facets turned over
