@@ -20,7 +20,8 @@
 namespace ossuary::index {
 namespace {
 
-constexpr std::size_t kMostRowsInAStack = 12;
+constexpr std::size_t kMostRowsInAStack = 8;
+constexpr std::size_t kModelsWithoutClasses = 12;
 constexpr std::size_t kMostCells = 400;
 constexpr std::uint8_t kWhite = 255;
 
@@ -119,11 +120,10 @@ std::vector<std::uint32_t> matching_colours(const TriangleMesh& mesh, const Segm
 
 Result<std::vector<std::uint8_t>> parts_sheet(const std::vector<SheetRow>& rows, int cell_pixels) {
     if (rows.empty() || rows.size() * rows[0].segmentations.size() > kMostCells) {
-        return Error{ErrorCode::kInvalidArgument,
-                     "a sheet of parts: expected 1 to " + std::to_string(kMostCells) +
-                         " pictures, found " +
-                         std::to_string(rows.empty() ? 0
-                                                     : rows.size() * rows[0].segmentations.size())};
+        return Error{
+            ErrorCode::kInvalidArgument,
+            "a sheet of parts: expected 1 to " + std::to_string(kMostCells) + " pictures, found " +
+                std::to_string(rows.empty() ? 0 : rows.size() * rows[0].segmentations.size())};
     }
     const std::size_t columns = rows[0].segmentations.size();
     const std::size_t stacks = rows.size() > kMostRowsInAStack ? 2 : 1;
@@ -146,9 +146,8 @@ Result<std::vector<std::uint8_t>> evaluation_sheet(const SegmentationEvaluationO
     std::vector<SheetRow> rows;
     std::set<std::string> classes;
     for (const SegmentationEvaluation::Model& model : evaluation.models) {
-        const bool is_first =
-            model.class_name.empty() ? rows.size() < kMostRowsInAStack
-                                     : classes.insert(model.class_name).second;
+        const bool is_first = model.class_name.empty() ? rows.size() < kModelsWithoutClasses
+                                                       : classes.insert(model.class_name).second;
         if (!is_first) continue;
         Result<SheetRow> row = row_of(options, model);
         if (!row.ok()) return row.error();

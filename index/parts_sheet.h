@@ -25,7 +25,7 @@ struct SheetRow {
 };
 
 /// Models in coloured parts as a PNG file on white: a row a model, a column a segmentation; above
-/// twelve rows in two stacks beside each other.
+/// eight rows in two stacks beside each other.
 /// @pre every row has as many segmentations as the first
 /// Errors: invalid_argument (no rows, or more than fit into a picture), those of render_pixels.
 Result<std::vector<std::uint8_t>> parts_sheet(const std::vector<SheetRow>& rows, int cell_pixels);
