@@ -3,6 +3,7 @@ import './styles/tokens.css';
 import './styles/base.css';
 import './styles/gallery.css';
 import './styles/viewer.css';
+import './styles/parts.css';
 import './styles/reports.css';
 import { startApp } from './page/app';
 
