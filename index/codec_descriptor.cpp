@@ -185,6 +185,7 @@ bool all_finite(const T& values) {
 std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
     ByteWriter writer;
     writer.put(descriptor.solid_volume);
+    writer.put(descriptor.limb_volume);
     writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
     for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (const float coordinate : node.position) writer.put(coordinate);
@@ -203,8 +204,9 @@ Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
     ByteReader reader(*payload);
     SkeletonDescriptor descriptor;
     if (version >= 2) descriptor.solid_volume = reader.get<float>();
+    if (version >= 3) descriptor.limb_volume = reader.get<float>();
     descriptor.nodes.resize(reader.get_count(20));
-    bool finite = std::isfinite(descriptor.solid_volume);
+    bool finite = std::isfinite(descriptor.solid_volume) && std::isfinite(descriptor.limb_volume);
     for (SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (float& coordinate : node.position) coordinate = reader.get<float>();
         node.radius = reader.get<float>();

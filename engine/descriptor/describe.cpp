@@ -1,16 +1,92 @@
 #include "engine/descriptor/describe.h"
 
+#include <array>
+#include <cassert>
 #include <utility>
 
 #include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
 #include "engine/descriptor/solid_surface.h"
+#include "engine/mesh/canonical_pose.h"
+#include "engine/skeleton/tube_radii.h"
 
 namespace ossuary {
+namespace {
 
-Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& options,
+/// How the further grids are turned against the first one; any turn far from the identity and from
+/// each other will do.
+std::array<Mat3, kMaxTurnedGrids> grid_turns() {
+    const Vec3 diagonal = Vec3(1.0, 1.0, 1.0).normalized();
+    const Vec3 aslant = Vec3(1.0, -2.0, 0.5).normalized();
+    return {Eigen::AngleAxisd(0.7, diagonal).toRotationMatrix(),
+            Eigen::AngleAxisd(1.1, aslant).toRotationMatrix()};
+}
+
+SkeletonGraph with_tube_radii(const SkeletonGraph& graph, const BitVolume& solid) {
+    SkeletonGraph result = graph;
+    std::vector<std::vector<double>> radii = tube_radii(graph, solid);
+    for (std::size_t i = 0; i < radii.size(); ++i) result.branches[i].radii = std::move(radii[i]);
+    return result;
+}
+
+/// A solid in the length that its descriptors are measured in. The solid's own boundary counts, not
+/// the mesh's triangles: soups have walls inside and twice.
+struct MeasuredSolid {
+    SolidSurface surface;
+    double volume = 0.0;  ///< voxels
+    double scale = 0.0;   ///< voxels
+
+    explicit MeasuredSolid(const BitVolume& solid)
+        : surface(solid_surface(solid)),
+          volume(static_cast<double>(solid.count())),
+          scale(body_scale(surface.total_area, volume)) {}
+};
+
+SkeletonDescriptor describe_limbs(const Skeleton& skeleton, const MeasuredSolid& solid) {
+    SkeletonDescriptor descriptor =
+        describe_skeleton(with_tube_radii(skeleton.refined, skeleton.solid.volume), solid.scale);
+    const double unit = solid.scale * solid.scale * solid.scale;
+    descriptor.solid_volume = static_cast<float>(solid.volume / unit);
+    descriptor.limb_volume = static_cast<float>(tube_volume(skeleton.refined) / unit);
+    return descriptor;
+}
+
+/// The same options with the canonical pose, where it is asked for, as the grid's rotation.
+DescribeOptions with_pose(const TriangleMesh& mesh, const DescribeOptions& options) {
+    DescribeOptions result = options;
+    if (options.skeletonize.canonical_pose) {
+        result.skeletonize.voxelize.rotation = canonical_pose(mesh);
+        result.skeletonize.canonical_pose = false;
+    }
+    return result;
+}
+
+/// Appends the model's skeletons on the turned grids.
+/// @param options  without canonical_pose: turned against `voxelize.rotation`
+/// Errors: those of skeletonize.
+Result<void> trace_turned(const TriangleMesh& mesh, const DescribeOptions& options,
+                          std::vector<SkeletonDescriptor>& skeletons, std::stop_token stop) {
+    assert(!options.skeletonize.canonical_pose);
+    assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
+    const std::array<Mat3, kMaxTurnedGrids> turns = grid_turns();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(options.turned_grids); ++i) {
+        SkeletonizeOptions turned = options.skeletonize;
+        turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
+        const Result<Skeleton> made = skeletonize(mesh, turned, stop);
+        if (!made) return made.error();
+        const MeasuredSolid solid(made->solid.volume);
+        skeletons.push_back(
+            trace_skeleton(with_tube_radii(made->refined, made->solid.volume), solid.scale));
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& wanted,
                              std::stop_token stop) {
+    const DescribeOptions options = with_pose(mesh, wanted);
     Result<Skeleton> made = skeletonize(mesh, options.skeletonize, stop);
     if (!made) return made.error();
     const Skeleton& skeleton = *made;
@@ -24,21 +100,21 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& op
         description.stage_times.push_back({stage, watch.lap_ms()});
     };
 
-    const SolidSurface surface = solid_surface(skeleton.solid.volume);
+    const MeasuredSolid solid(skeleton.solid.volume);
     lap("surface");
     if (stop.stop_requested()) return cancelled();
 
-    // The solid's own boundary, not the mesh's triangles: soups have walls inside and twice.
-    const double scale =
-        body_scale(surface.total_area, static_cast<double>(skeleton.solid.volume.count()));
-    description.descriptor.skeleton = describe_skeleton(skeleton.refined, scale);
-    description.descriptor.skeleton.solid_volume = static_cast<float>(
-        static_cast<double>(skeleton.solid.volume.count()) / (scale * scale * scale));
+    std::vector<SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
     lap("describe_skeleton");
+    if (const auto traced = trace_turned(mesh, options, skeletons, stop); !traced) {
+        return traced.error();
+    }
+    lap("turned_skeletons");
     if (stop.stop_requested()) return cancelled();
 
     description.descriptor.globals =
-        global_descriptors(surface, skeleton.solid.volume, description.descriptor.skeleton);
+        global_descriptors(solid.surface, skeleton.solid.volume, skeletons);
+    description.descriptor.skeleton = std::move(skeletons.front());
     lap("global_descriptors");
     if (stop.stop_requested()) return cancelled();
 

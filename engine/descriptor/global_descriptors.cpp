@@ -20,7 +20,7 @@ constexpr int kGeodesicSources = 16;
 
 std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
                                                  const BitVolume& solid,
-                                                 const SkeletonDescriptor& skeleton) {
+                                                 std::span<const SkeletonDescriptor> skeletons) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
@@ -28,7 +28,8 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
         assert(values.size() == kind.size);
         globals.push_back({std::string(kind.name), std::move(values)});
     };
-    add(skeleton_pairs(skeleton));
+    add(skeleton_pairs(skeletons));
+    add(skeleton_layout(skeletons));
     add(view_spectra(surface));
     add(surface_pairs(graph));
     add(local_volume(graph, average_geodesic_distances(graph, kGeodesicSources), solid));

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "engine/descriptor/local_volume.h"
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/descriptor/radial_thickness.h"
+#include "engine/descriptor/skeleton_layout.h"
 #include "engine/descriptor/skeleton_pairs.h"
 #include "engine/descriptor/solid_surface.h"
 #include "engine/descriptor/surface_pairs.h"
@@ -32,6 +34,7 @@ struct GlobalDescriptorKind {
 /// What ModelDescriptor::globals holds, in order.
 inline constexpr std::array kGlobalDescriptorKinds = {
     GlobalDescriptorKind{"skeleton_pairs", kSkeletonPairsSize, GlobalMetric::kSkeletonPairs},
+    GlobalDescriptorKind{"skeleton_layout", kSkeletonLayoutSize, GlobalMetric::kManhattan},
     GlobalDescriptorKind{"views", kViewSpectraSize, GlobalMetric::kViews},
     GlobalDescriptorKind{"surface_pairs", kSurfacePairsSize, GlobalMetric::kSquaredManhattan},
     GlobalDescriptorKind{"local_volume", kLocalVolumeSize, GlobalMetric::kManhattan},
@@ -41,6 +44,7 @@ inline constexpr std::array kGlobalDescriptorKinds = {
 /// Where in ModelDescriptor::globals each is.
 enum GlobalPlace : std::size_t {
     kSkeletonPairsPlace,
+    kSkeletonLayoutPlace,
     kViewsPlace,
     kSurfacePairsPlace,
     kLocalVolumePlace,
@@ -48,10 +52,11 @@ enum GlobalPlace : std::size_t {
 };
 
 /// All global descriptors of a solid and its skeleton.
-/// @param surface  solid_surface(solid)
+/// @param surface    solid_surface(solid)
+/// @param skeletons  of the same model, made on one grid or several
 std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
                                                  const BitVolume& solid,
-                                                 const SkeletonDescriptor& skeleton);
+                                                 std::span<const SkeletonDescriptor> skeletons);
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.

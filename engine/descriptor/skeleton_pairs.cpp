@@ -7,7 +7,7 @@
 
 #include "engine/descriptor/byte_distance.h"
 #include "engine/descriptor/histogram.h"
-#include "engine/descriptor/quantize.h"
+#include "engine/descriptor/skeleton_samples.h"
 #include "engine/matching/skeleton_paths.h"
 
 namespace ossuary {
@@ -18,42 +18,6 @@ constexpr std::size_t kStraightnesses = 6;
 constexpr std::size_t kRadii = 4;
 static_assert(kDistances * kStraightnesses * kRadii == kSkeletonPairsSize);
 constexpr double kByteScale = 510.0;
-constexpr float kLeastRadius = 1e-4F;
-
-/// A piece of the skeleton between two neighbouring samples, at its middle.
-struct Sample {
-    Vec3f point = Vec3f::Zero();
-    double log_radius = 0.0;
-    double weight = 0.0;
-    std::uint32_t branch = 0;
-    double along = 0.0;  ///< from the branch's node a
-};
-
-Vec3f point_of(const SkeletonDescriptor::Branch& branch, std::size_t i) {
-    return {branch.points[3 * i], branch.points[3 * i + 1], branch.points[3 * i + 2]};
-}
-
-std::vector<Sample> samples_of(const SkeletonDescriptor& skeleton) {
-    std::vector<Sample> samples;
-    for (std::uint32_t index = 0; index < skeleton.branches.size(); ++index) {
-        const SkeletonDescriptor::Branch& branch = skeleton.branches[index];
-        const auto steps = static_cast<double>(branch.radii.size() - 1);
-        const double step = static_cast<double>(branch.length) / steps;
-        for (std::size_t i = 1; i < branch.radii.size(); ++i) {
-            const float radius =
-                std::max(0.5F * (branch.radii[i - 1] + branch.radii[i]), kLeastRadius);
-            samples.push_back({0.5F * (point_of(branch, i - 1) + point_of(branch, i)),
-                               std::log(static_cast<double>(radius)),
-                               step * static_cast<double>(radius), index,
-                               step * (static_cast<double>(i) - 0.5)});
-        }
-    }
-    if (samples.empty() && !skeleton.nodes.empty()) {  // a point alone is a pair with itself
-        const float radius = std::max(skeleton.nodes.front().radius, kLeastRadius);
-        samples.assign(2, {Vec3f::Zero(), std::log(static_cast<double>(radius)), 1.0, 0, 0.0});
-    }
-    return samples;
-}
 
 /// Distances along a skeleton between any two of its samples.
 class AlongSkeleton {
@@ -65,7 +29,7 @@ public:
         }
     }
     /// Infinite between components.
-    [[nodiscard]] double distance(const Sample& s, const Sample& t) const {
+    [[nodiscard]] double distance(const SkeletonSample& s, const SkeletonSample& t) const {
         if (skeleton_.branches.empty()) return 0.0;
         const SkeletonDescriptor::Branch& b = skeleton_.branches[s.branch];
         const SkeletonDescriptor::Branch& c = skeleton_.branches[t.branch];
@@ -83,6 +47,27 @@ private:
     std::vector<std::vector<double>> from_;
 };
 
+std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
+    SoftHistogram<3> histogram({{{0.0, 2.5, static_cast<int>(kDistances)},
+                                 {0.0, 1.0, static_cast<int>(kStraightnesses)},
+                                 {std::log(0.01), std::log(0.4), static_cast<int>(kRadii)}}});
+    const std::vector<SkeletonSample> samples = skeleton_samples(skeleton);
+    const AlongSkeleton along(skeleton);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        for (std::size_t j = i + 1; j < samples.size(); ++j) {
+            const SkeletonSample& s = samples[i];
+            const SkeletonSample& t = samples[j];
+            const auto straight = static_cast<double>((s.point - t.point).norm());
+            double distance = along.distance(s, t);
+            if (!std::isfinite(distance)) distance = straight;
+            const double share = distance > 0.0 ? straight / distance : 1.0;
+            histogram.add({distance, share, std::log(std::min(s.radius, t.radius))},
+                          s.length * s.radius * t.length * t.radius);
+        }
+    }
+    return histogram.normalized();
+}
+
 /// The square roots of the histogram of distance and radius alone.
 std::array<double, kDistances * kRadii> without_straightness(std::span<const std::uint8_t> bytes) {
     std::array<double, kDistances * kRadii> mass{};
@@ -96,28 +81,8 @@ std::array<double, kDistances * kRadii> without_straightness(std::span<const std
 
 }  // namespace
 
-std::vector<std::uint8_t> skeleton_pairs(const SkeletonDescriptor& skeleton) {
-    SoftHistogram<3> histogram({{{0.0, 2.5, static_cast<int>(kDistances)},
-                                 {0.0, 1.0, static_cast<int>(kStraightnesses)},
-                                 {std::log(0.01), std::log(0.4), static_cast<int>(kRadii)}}});
-    const std::vector<Sample> samples = samples_of(skeleton);
-    const AlongSkeleton along(skeleton);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        for (std::size_t j = i + 1; j < samples.size(); ++j) {
-            const Sample& s = samples[i];
-            const Sample& t = samples[j];
-            const double straight = static_cast<double>((s.point - t.point).norm());
-            double distance = along.distance(s, t);
-            if (!std::isfinite(distance)) distance = straight;
-            const double share = distance > 0.0 ? straight / distance : 1.0;
-            histogram.add({distance, share, std::min(s.log_radius, t.log_radius)},
-                          s.weight * t.weight);
-        }
-    }
-    std::vector<std::uint8_t> bytes;
-    bytes.reserve(kSkeletonPairsSize);
-    append_root_bytes(histogram.normalized(), kByteScale, bytes);
-    return bytes;
+std::vector<std::uint8_t> skeleton_pairs(std::span<const SkeletonDescriptor> skeletons) {
+    return mean_root_bytes(skeletons, kSkeletonPairsSize, kByteScale, histogram_of);
 }
 
 double skeleton_pairs_distance(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,

@@ -83,8 +83,8 @@ std::uint64_t content_key(const SkeletonDescriptor& descriptor) {
 
 }  // namespace
 
-SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
-                                     const DescribeSkeletonOptions& options) {
+SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
+                                  const DescribeSkeletonOptions& options) {
     assert(scale > 0.0);
     SkeletonDescriptor descriptor;
     std::vector<ResampledCurve> curves;
@@ -108,7 +108,6 @@ SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
         SkeletonDescriptor::Branch& branch = descriptor.branches.emplace_back();
         branch.a = refined.branches[i].a;
         branch.b = refined.branches[i].b;
-        branch.chain_code = branch_chain_code(refined, refined.branches[i]);
         branch.length = static_cast<float>(curves[i].length / scale);
         for (const Vec3f& point : curves[i].points) {
             const Vec3f p = ((point.cast<double>() - centre) / scale).cast<float>();
@@ -117,6 +116,15 @@ SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
         for (const float radius : curves[i].radii) {
             branch.radii.push_back(static_cast<float>(radius / scale));
         }
+    }
+    return descriptor;
+}
+
+SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
+                                     const DescribeSkeletonOptions& options) {
+    SkeletonDescriptor descriptor = trace_skeleton(refined, scale, options);
+    for (std::size_t i = 0; i < refined.branches.size(); ++i) {
+        descriptor.branches[i].chain_code = branch_chain_code(refined, refined.branches[i]);
     }
     derive_matching_data(descriptor);
     return descriptor;

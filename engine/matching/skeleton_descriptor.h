@@ -14,9 +14,8 @@ namespace ossuary {
 /// All that the rankers `chain-code` and `skeleton` need of a model's skeleton: free of scale and
 /// position, a few kilobytes. Node and branch indices are those of the graph it was made from.
 ///
-/// `nodes`, `branches` and `solid_volume` are what a store keeps; `rooted` and `hierarchy` follow
-/// from them alone, bit by bit, so a store leaves them out and calls `derive_matching_data` after
-/// loading.
+/// `rooted` and `hierarchy` follow from the rest alone, bit by bit, so a store leaves them out and
+/// calls `derive_matching_data` after loading.
 struct SkeletonDescriptor {
     struct Node {
         std::array<float, 3> position{};  ///< from the skeleton's centre, over the scale
@@ -34,6 +33,7 @@ struct SkeletonDescriptor {
     std::vector<Node> nodes;
     std::vector<Branch> branches;
     float solid_volume = 0.0F;  ///< of the model, over the scale cubed; at most .057, a ball's
+    float limb_volume = 0.0F;   ///< of tubes of the inscribed radii along the branches, likewise
 
     RootedSkeletons rooted;   ///< derived; for `skeleton`
     SignatureTree hierarchy;  ///< derived; for `chain-code`
@@ -47,9 +47,13 @@ struct DescribeSkeletonOptions {
 /// @param refined  in VOXEL units of a grid whose longest side is the indexing resolution: the
 ///                 5-element codes are read off that grid's lattice
 /// @param scale    the length to measure in (body_scale), in voxels too, > 0
-/// Leaves solid_volume to the caller, who has the solid.
+/// Leaves the volumes to the caller, who has the solid.
 SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
                                      const DescribeSkeletonOptions& options = {});
+
+/// The same without chain codes and derived data: where the skeleton lies and how thick it is.
+SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
+                                  const DescribeSkeletonOptions& options = {});
 
 /// Recomputes `rooted` and `hierarchy` from `nodes` and `branches`; what a store calls after
 /// loading.

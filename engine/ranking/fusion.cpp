@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace ossuary {
 namespace {
 
-/// Tree edit distance, skeleton pairs; views, surface pairs, local volume, radial thickness. Flat
-/// near the optimum on the ten classes (first tier .884): halving or doubling any one of `hybrid`'s
-/// changes it by less than one point, but for doubling the views (.868), which all 19 classes and
-/// the shape benchmark want high.
-constexpr ComponentValues kSkeletonWeights = {3.0, 4.0, 0.0, 0.0, 0.0, 0.0};
-constexpr ComponentValues kHybridWeights = {5.0, 2.5, 4.0, 1.5, 1.0, 1.5};
+/// Tree edit distance, skeleton pairs, skeleton layout; views, surface pairs, local volume, radial
+/// thickness.
+constexpr ComponentValues kSkeletonWeights = {4.0, 4.0, 3.0, 0.0, 0.0, 0.0, 0.0};
+constexpr ComponentValues kHybridWeights = {5.0, 2.5, 1.0, 4.0, 1.5, 1.0, 1.5};
+/// Of the tree edit distance's weight under `skeleton`, what stays where the skeleton tells
+/// nothing.
+constexpr double kLeastTreeShare = 0.5;
+constexpr std::size_t kLayoutComponent = 1 + kSkeletonLayoutPlace;
 /// Below this share of the mean distance a pair counts as nearly equal.
 constexpr double kFade = 0.02;
 /// No single component may say more than this many deviations.
 constexpr double kMaxDeviations = 8.0;
+/// Below this many deviations they count as a logarithm.
+constexpr double kNearest = -3.0;
 
 ComponentValues weights_of(const FusionSide& a, const FusionSide& b) {
     ComponentValues weights{};
@@ -43,8 +46,8 @@ ComponentValues ratios(const ComponentValues& distances, const FusionSide& a, co
 
 /// What a skeleton's build says of how much it tells.
 struct SkeletonBuild {
-    double length = 0.0;       ///< over the scale
-    double tube_volume = 0.0;  ///< of tubes along the branches, over the scale cubed
+    double length = 0.0;      ///< over the scale
+    double limb_share = 0.0;  ///< volume of tubes along the branches over the solid's
     double solid_volume = 0.0;
     double branches = 0.0;
     double tips = 0.0;
@@ -53,15 +56,11 @@ struct SkeletonBuild {
 SkeletonBuild build_of(const SkeletonDescriptor& skeleton) {
     SkeletonBuild build;
     build.solid_volume = std::max(static_cast<double>(skeleton.solid_volume), 1e-9);
+    build.limb_share = static_cast<double>(skeleton.limb_volume) / build.solid_volume;
     build.branches = static_cast<double>(skeleton.branches.size());
     std::vector<int> degree(skeleton.nodes.size(), 0);
     for (const SkeletonDescriptor::Branch& branch : skeleton.branches) {
-        const auto length = static_cast<double>(branch.length);
-        double squares = 0.0;
-        for (const float radius : branch.radii) squares += static_cast<double>(radius * radius);
-        build.length += length;
-        build.tube_volume +=
-            std::numbers::pi * length * squares / static_cast<double>(branch.radii.size());
+        build.length += static_cast<double>(branch.length);
         ++degree[branch.a];
         ++degree[branch.b];
     }
@@ -73,6 +72,12 @@ SkeletonBuild build_of(const SkeletonDescriptor& skeleton) {
 double smooth_step(double x, double low, double high) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
+}
+
+/// Deviations, the great ones cut off and the far negative ones compressed.
+double bounded(double deviations) {
+    if (deviations < kNearest) return kNearest - std::log1p(kNearest - deviations);
+    return std::min(deviations, kMaxDeviations);
 }
 
 double sum_of(const ComponentValues& values) {
@@ -90,7 +95,7 @@ double skeleton_information(const SkeletonDescriptor& skeleton) {
     const double by_branches = std::min(build.branches / 5.0, 1.0);
     const double telling = std::sqrt(by_length * by_branches);
     // Limbs are tubes: what they hold together is the solid. Sheets are more than their skeleton.
-    const double of_limbs = smooth_step(build.tube_volume / build.solid_volume, 0.45, 0.9);
+    const double of_limbs = smooth_step(build.limb_share, 0.45, 0.9);
     // A skeleton of very many tips has been spread over a sheet or a rough body.
     const double of_tips = 1.0 - 0.8 * smooth_step(build.tips, 14.0, 24.0);
     // Neither a compact body nor a thin sheet is built of limbs.
@@ -99,11 +104,18 @@ double skeleton_information(const SkeletonDescriptor& skeleton) {
     return telling * of_limbs * of_tips * compact * thin;
 }
 
-FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale, RankerKind ranker) {
-    if (ranker == RankerKind::kSkeleton) return {scale, kSkeletonWeights};
-    FusionSide side{scale, kHybridWeights};
+FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
+                       const RankOptions& options) {
     const double information = skeleton_information(model.skeleton);
-    for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
+    FusionSide side{scale, {}};
+    if (options.ranker == RankerKind::kSkeleton) {
+        side.weights = kSkeletonWeights;
+        side.weights[0] *= kLeastTreeShare + (1.0 - kLeastTreeShare) * information;
+    } else {
+        side.weights = kHybridWeights;
+        for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
+    }
+    side.weights[kLayoutComponent] *= pose_share(options);  // it knows nothing but the pose
     return side;
 }
 
@@ -113,7 +125,7 @@ double fused_distance(const ComponentValues& distances, const FusionSide& a, con
     for (std::size_t c = 0; c < kComponentCount; ++c) {
         const double from_a = (distances[c] - a.scale.mean[c]) / a.scale.deviation[c];
         const double from_b = (distances[c] - b.scale.mean[c]) / b.scale.deviation[c];
-        deviations += weights[c] * std::min(0.5 * (from_a + from_b), kMaxDeviations);
+        deviations += weights[c] * bounded(0.5 * (from_a + from_b));
     }
     const double nearness = sum_of(ratios(distances, a, b, weights)) / kFade;
     return std::exp(deviations) * -std::expm1(-nearness);

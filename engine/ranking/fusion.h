@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/ranking/normalization.h"
+#include "engine/ranking/ranker.h"
 
 namespace ossuary {
 
@@ -16,15 +17,17 @@ struct FusionSide {
     ComponentValues weights{};
 };
 
+/// @param options  ranker and pose count
 [[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
-                                     RankerKind ranker);
+                                     const RankOptions& options);
 
 /// The fused distance of two models. With z the distance of a component in standard deviations from
 /// the mean, as each of the two models sees it, averaged over both, and f the weighted mean of z
 /// over the components, it is exp(f): about 1 for a pair taken at random, about 0.05 for the
-/// nearest. It fades to 0 where all components do, so that equal models are at distance 0, and is
-/// symmetric. Ranking by means alone (d / mean) loses 1.2 points of first tier on the ten classes,
-/// by a pooled scale 3.3.
+/// nearest. Below -3 deviations z grows as a logarithm only: a plain skeleton has partners at -8
+/// that would outvote all else. It fades to 0 where all components do, so that equal models are at
+/// distance 0, and is symmetric. Ranking by means alone (d / mean) loses 1.2 points of first tier
+/// on the ten classes, by a pooled scale 3.3.
 [[nodiscard]] double fused_distance(const ComponentValues& distances, const FusionSide& a,
                                     const FusionSide& b);
 

@@ -37,11 +37,10 @@ ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescr
 ComponentValues PairMeter::global_components(const ModelDescriptor& a,
                                              const ModelDescriptor& b) const {
     ComponentValues values{};
-    const double pose = std::min(skeleton_options_.pose / RankOptions{}.pose, 1.0);
     for (std::size_t c = 1; c < components_; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;
         values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
-                                           kGlobalDescriptorKinds[c - 1], pose)
+                                           kGlobalDescriptorKinds[c - 1], pose_share_)
                          : std::numeric_limits<double>::infinity();
     }
     return values;

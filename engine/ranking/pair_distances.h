@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -12,10 +13,10 @@
 namespace ossuary {
 
 /// What is fused: component 0 is the tree edit distance of the skeletons, the others are the global
-/// descriptors in the order of kGlobalDescriptorKinds. `skeleton` fuses the first two alone.
+/// descriptors in the order of kGlobalDescriptorKinds. `skeleton` fuses the first three alone.
 inline constexpr std::size_t kComponentCount = 1 + kGlobalDescriptorKinds.size();
 using ComponentValues = std::array<double, kComponentCount>;
-inline constexpr std::size_t kSkeletonComponents = 2;
+inline constexpr std::size_t kSkeletonComponents = 3;
 /// How many components, from the first, a ranker fuses; 0 for one that fuses nothing.
 [[nodiscard]] constexpr std::size_t component_count(RankerKind ranker) {
     switch (ranker) {
@@ -29,12 +30,18 @@ inline constexpr std::size_t kSkeletonComponents = 2;
     return 0;
 }
 
+/// How far what bending changes counts: 1 from the default of RankOptions::pose on.
+[[nodiscard]] inline double pose_share(const RankOptions& options) {
+    return std::min(options.pose / RankOptions{}.pose, 1.0);
+}
+
 [[nodiscard]] std::string_view component_name(std::size_t component);
 
 /// Measures pairs of models; one for each thread, because it owns the matchers' buffers.
 class PairMeter {
 public:
-    explicit PairMeter(const RankOptions& options) : components_(component_count(options.ranker)) {
+    explicit PairMeter(const RankOptions& options)
+        : components_(component_count(options.ranker)), pose_share_(pose_share(options)) {
         skeleton_options_.pose = options.pose;
     }
 
@@ -60,6 +67,7 @@ public:
 
 private:
     std::size_t components_;
+    double pose_share_;
     ChainCodeMatchOptions chain_code_options_;
     SkeletonMatchOptions skeleton_options_;
     ChainCodeMatchWorkspace chain_code_workspace_;

@@ -40,7 +40,7 @@ public:
           collection_(collection),
           normalization_(normalization),
           options_(options),
-          side_(fusion_side(query, query_scale(), options.ranker)) {}
+          side_(fusion_side(query, query_scale(), options)) {}
 
     /// The query's distance to each model, by all components or by the cheap ones alone.
     void measure(std::vector<RankedModel>& models, bool without_tree) const {
@@ -90,7 +90,7 @@ private:
 
     [[nodiscard]] FusionSide side_of(std::size_t index) const {
         const ModelDescriptor& model = *collection_[index];
-        return fusion_side(model, normalization_.scale(model), options_.ranker);
+        return fusion_side(model, normalization_.scale(model), options_);
     }
 
     /// The pairs of the skeleton's points stand in for the tree edit distance.

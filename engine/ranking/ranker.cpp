@@ -23,24 +23,24 @@ std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalizat
     if (options.ranker == RankerKind::kChainCode) return sides;
     parallel_for(collection.size(), options.jobs, [&](std::size_t i) {
         const ModelScale& scale = normalization.scale(*collection[i]);
-        sides[i] = fusion_side(*collection[i], scale, options.ranker);
+        sides[i] = fusion_side(*collection[i], scale, options);
     });
     return sides;
 }
 
 /// The side of a query: known to the statistics, or to be judged by its own row.
 FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentValues>& row,
-                      const Normalization& normalization, RankerKind ranker) {
+                      const Normalization& normalization, const RankOptions& options) {
     if (const ModelScale* own = normalization.find(query)) {
-        return fusion_side(query, *own, ranker);
+        return fusion_side(query, *own, options);
     }
     // A handful of finalists says nothing of the collection.
     if (2 * row.size() < normalization.collection_size()) {
-        return fusion_side(query, normalization.pooled(), ranker);
+        return fusion_side(query, normalization.pooled(), options);
     }
     std::vector<ComponentValues> references;
     for (const std::size_t i : reference_models(row.size())) references.push_back(row[i]);
-    return fusion_side(query, scale_of_row(references, normalization.pooled()), ranker);
+    return fusion_side(query, scale_of_row(references, normalization.pooled()), options);
 }
 
 std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,
@@ -58,7 +58,7 @@ std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan c
     for_each_with_meter(collection.size(), options, [&](PairMeter& meter, std::size_t j) {
         row[j] = meter.components(query, *collection[j]);
     });
-    const FusionSide side = query_side(query, row, normalization, options.ranker);
+    const FusionSide side = query_side(query, row, normalization, options);
     for (std::size_t j = 0; j < row.size(); ++j) {
         distances[j] = fused_distance(row[j], side, sides[j]);
     }
@@ -199,8 +199,8 @@ Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
         match.distance += pose;
     }
     const Normalization normalization(statistics);
-    const FusionSide a = fusion_side(query, normalization.scale(query), options.ranker);
-    const FusionSide b = fusion_side(other, normalization.scale(other), options.ranker);
+    const FusionSide a = fusion_side(query, normalization.scale(query), options);
+    const FusionSide b = fusion_side(other, normalization.scale(other), options);
     const ComponentValues distances = meter.components(query, other);
     const ComponentValues parts = fused_parts(distances, a, b);
     std::vector<DistancePart> named;

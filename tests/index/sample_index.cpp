@@ -95,6 +95,7 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
         model.descriptor.skeleton.branches.push_back(std::move(coded));
     }
     model.descriptor.skeleton.solid_volume = 0.03F;
+    model.descriptor.skeleton.limb_volume = 0.02F;
     update_degrees(model.skeleton);
     derive_matching_data(model.descriptor.skeleton);
     for (const auto& [name, size] : {std::pair<const char*, int>{"d2", 8}, {"heat", 5}}) {

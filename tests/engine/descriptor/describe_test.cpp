@@ -22,6 +22,8 @@ void expect_whole(const Description& description, const std::string& name) {
     }
     const float volume = description.descriptor.skeleton.solid_volume;
     ASSERT_TRUE(volume > 0.0F && volume < 0.1F) << name << " " << volume;
+    const float limbs = description.descriptor.skeleton.limb_volume;
+    ASSERT_TRUE(limbs >= 0.0F && limbs < 0.2F) << name << " " << limbs;
     ASSERT_EQ(description.descriptor.signature.size(), kSignatureSize) << name;
     for (const auto& node : description.skeleton.nodes) {
         ASSERT_TRUE(node.position.allFinite() && std::isfinite(node.radius)) << name;
@@ -75,8 +77,8 @@ TEST(Describe, NamesItsStagesInOrder) {
         stages.push_back(time.stage);
         EXPECT_GE(time.milliseconds, 0.0);
     }
-    const std::vector<std::string> tail = {"surface", "describe_skeleton", "global_descriptors",
-                                           "signature"};
+    const std::vector<std::string> tail = {"surface", "describe_skeleton", "turned_skeletons",
+                                           "global_descriptors", "signature"};
     ASSERT_GE(stages.size(), tail.size());
     EXPECT_TRUE(std::equal(tail.rbegin(), tail.rend(), stages.rbegin()));
 }
@@ -90,6 +92,29 @@ TEST(Describe, IsTheSameEveryTime) {
         EXPECT_EQ(a->descriptor.globals[k].values, b->descriptor.globals[k].values);
     }
     EXPECT_EQ(a->descriptor.skeleton.rooted.content_key, b->descriptor.skeleton.rooted.content_key);
+}
+
+TEST(Describe, AveragesOverAsManyTurnedGridsAsAreAskedFor) {
+    const TriangleMesh mesh = test::capsule_tree_mesh();
+    std::vector<ModelDescriptor> descriptors;
+    for (int grids = 0; grids <= kMaxTurnedGrids; ++grids) {
+        DescribeOptions options;
+        options.turned_grids = grids;
+        const auto description = describe(mesh, options);
+        ASSERT_TRUE(description.ok());
+        descriptors.push_back(description->descriptor);
+    }
+    for (std::size_t i = 1; i < descriptors.size(); ++i) {
+        // What is matched comes from the first grid alone.
+        EXPECT_EQ(descriptors[i].skeleton.rooted.content_key,
+                  descriptors[0].skeleton.rooted.content_key);
+        for (const std::size_t place : {kSkeletonPairsPlace, kSkeletonLayoutPlace}) {
+            EXPECT_NE(descriptors[i].globals[place].values,
+                      descriptors[i - 1].globals[place].values);
+        }
+        EXPECT_EQ(descriptors[i].globals[kViewsPlace].values,
+                  descriptors[0].globals[kViewsPlace].values);
+    }
 }
 
 TEST(Describe, StopsWhenAsked) {

@@ -30,10 +30,14 @@ SkeletonDescriptor bent_rod(double angle, float radius = 0.05F) {
     return describe_skeleton(graph, 1.0);
 }
 
+std::vector<std::uint8_t> pairs_of(const SkeletonDescriptor& skeleton) {
+    return skeleton_pairs({&skeleton, 1});
+}
+
 TEST(SkeletonPairs, BendingChangesThePoseAndNotTheBuild) {
-    const auto straight = skeleton_pairs(bent_rod(0.0));
-    const auto bent = skeleton_pairs(bent_rod(1.2));
-    const auto thick = skeleton_pairs(bent_rod(0.0, 0.15F));
+    const auto straight = pairs_of(bent_rod(0.0));
+    const auto bent = pairs_of(bent_rod(1.2));
+    const auto thick = pairs_of(bent_rod(0.0, 0.15F));
     EXPECT_GT(skeleton_pairs_distance(straight, bent, 1.0), 50.0);
     EXPECT_LT(skeleton_pairs_distance(straight, bent, 0.0),
               0.1 * skeleton_pairs_distance(straight, bent, 1.0));
@@ -41,8 +45,8 @@ TEST(SkeletonPairs, BendingChangesThePoseAndNotTheBuild) {
 }
 
 TEST(SkeletonPairs, AreAMetricOnWhatTheyKeep) {
-    const auto a = skeleton_pairs(bent_rod(0.0));
-    const auto b = skeleton_pairs(bent_rod(0.7));
+    const auto a = pairs_of(bent_rod(0.0));
+    const auto b = pairs_of(bent_rod(0.7));
     for (const double pose : {0.0, 0.4, 1.0}) {
         EXPECT_EQ(skeleton_pairs_distance(a, a, pose), 0.0);
         EXPECT_EQ(skeleton_pairs_distance(a, b, pose), skeleton_pairs_distance(b, a, pose));
@@ -59,16 +63,25 @@ TEST(SkeletonPairs, DoNotKnowWhereABranchBegins) {
             std::swap(branch.points[3 * i + axis], branch.points[3 * j + axis]);
         }
     }
-    EXPECT_LE(skeleton_pairs_distance(skeleton_pairs(turned), skeleton_pairs(bent_rod(0.9))), 2.0);
+    EXPECT_LE(skeleton_pairs_distance(pairs_of(turned), pairs_of(bent_rod(0.9))), 2.0);
+}
+
+TEST(SkeletonPairs, OfSeveralSkeletonsLieBetweenThoseOfEach) {
+    const std::vector<SkeletonDescriptor> both = {bent_rod(0.0), bent_rod(1.2)};
+    const auto mean = skeleton_pairs(both);
+    const auto a = pairs_of(both[0]), b = pairs_of(both[1]);
+    const double apart = skeleton_pairs_distance(a, b);
+    EXPECT_LT(skeleton_pairs_distance(mean, a), apart);
+    EXPECT_LT(skeleton_pairs_distance(mean, b), apart);
 }
 
 TEST(SkeletonPairs, CopeWithAPointAndWithNothing) {
     SkeletonDescriptor nothing;
-    const auto of_nothing = skeleton_pairs(nothing);
+    const auto of_nothing = pairs_of(nothing);
     EXPECT_EQ(of_nothing, std::vector<std::uint8_t>(kSkeletonPairsSize, 0));
     SkeletonDescriptor point;
     point.nodes.push_back({{}, 0.2F, 0.0F});
-    EXPECT_NE(skeleton_pairs(point), of_nothing);
+    EXPECT_NE(pairs_of(point), of_nothing);
 }
 
 }  // namespace

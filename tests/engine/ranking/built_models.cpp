@@ -7,6 +7,7 @@
 #include "engine/descriptor/signature.h"
 #include "engine/descriptor/solid_surface.h"
 #include "engine/matching/skeleton_descriptor.h"
+#include "engine/skeleton/tube_radii.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
@@ -90,9 +91,11 @@ ModelDescriptor built_model(std::uint64_t family, std::uint64_t seed) {
     const auto voxels = static_cast<double>(volume.count());
     const double scale = body_scale(surface.total_area, voxels);
     ModelDescriptor model;
-    model.skeleton = describe_skeleton(skeleton_of(capsules), scale);
+    const SkeletonGraph graph = skeleton_of(capsules);
+    model.skeleton = describe_skeleton(graph, scale);
     model.skeleton.solid_volume = static_cast<float>(voxels / (scale * scale * scale));
-    model.globals = global_descriptors(surface, volume, model.skeleton);
+    model.skeleton.limb_volume = static_cast<float>(tube_volume(graph) / (scale * scale * scale));
+    model.globals = global_descriptors(surface, volume, {&model.skeleton, 1});
     model.signature = preselection_signature(model.skeleton, model.globals);
     return model;
 }

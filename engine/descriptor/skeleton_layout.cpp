@@ -1,0 +1,56 @@
+#include "engine/descriptor/skeleton_layout.h"
+
+#include <algorithm>
+
+#include "engine/descriptor/histogram.h"
+#include "engine/descriptor/skeleton_samples.h"
+
+namespace ossuary {
+namespace {
+
+constexpr int kDistances = 7;
+constexpr int kCosines = 7;
+static_assert(kDistances * kDistances * kCosines == kSkeletonLayoutSize);
+constexpr double kFarthest = 1.6;
+constexpr double kByteScale = 510.0;
+
+double mass(const SkeletonSample& sample) { return sample.length * sample.radius * sample.radius; }
+
+std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
+    const std::vector<SkeletonSample> samples = skeleton_samples(skeleton);
+    Vec3 centre = Vec3::Zero();
+    double total = 0.0;
+    for (const SkeletonSample& sample : samples) {
+        centre += mass(sample) * sample.point.cast<double>();
+        total += mass(sample);
+    }
+    if (total > 0.0) centre /= total;
+    std::vector<Vec3> points;
+    std::vector<double> distances;
+    for (const SkeletonSample& sample : samples) {
+        points.emplace_back(sample.point.cast<double>() - centre);
+        distances.push_back(points.back().norm());
+    }
+    SoftHistogram<3> histogram(
+        {{{0.0, kFarthest, kDistances}, {0.0, kFarthest, kDistances}, {-1.0, 1.0, kCosines}}});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i; j < points.size(); ++j) {
+            constexpr double kLeast = 1e-9;
+            const double cosine =
+                points[i].dot(points[j]) / std::max(kLeast, distances[i] * distances[j]);
+            const double weight = (i == j ? 0.5 : 1.0) * mass(samples[i]) * mass(samples[j]);
+            histogram.add({std::min(distances[i], distances[j]),
+                           std::max(distances[i], distances[j]), cosine},
+                          weight);
+        }
+    }
+    return histogram.normalized();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> skeleton_layout(std::span<const SkeletonDescriptor> skeletons) {
+    return mean_root_bytes(skeletons, kSkeletonLayoutSize, kByteScale, histogram_of);
+}
+
+}  // namespace ossuary

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/matching/skeleton_descriptor.h"
+
+namespace ossuary {
+
+inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
+
+/// How a skeleton lies in space about its centre of mass: the joint histogram, over pairs of its
+/// points, of the smaller and the greater of their distances from the centre and of the cosine
+/// between them, a point weighing as the body around it; the mean over several skeletons of one
+/// model, square roots in bytes. Free of rotation and mirroring, it knows the pose. Beside tree
+/// edit distance and pairs it raises the first tier of all 19 classes from .703 to .722, of the ten
+/// from .864 to .871; a point weighing as the surface around it .717 and .862.
+std::vector<std::uint8_t> skeleton_layout(std::span<const SkeletonDescriptor> skeletons);
+
+}  // namespace ossuary
