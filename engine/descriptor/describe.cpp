@@ -1,7 +1,9 @@
 #include "engine/descriptor/describe.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "engine/descriptor/body_scale.h"
@@ -17,10 +19,11 @@ namespace {
 /// How the further grids are turned against the first one; any turn far from the identity and from
 /// each other will do.
 std::array<Mat3, kMaxTurnedGrids> grid_turns() {
-    const Vec3 diagonal = Vec3(1.0, 1.0, 1.0).normalized();
-    const Vec3 aslant = Vec3(1.0, -2.0, 0.5).normalized();
-    return {Eigen::AngleAxisd(0.7, diagonal).toRotationMatrix(),
-            Eigen::AngleAxisd(1.1, aslant).toRotationMatrix()};
+    const auto turn = [](double angle, const Vec3& axis) {
+        return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+    };
+    return {turn(0.7, Vec3(1.0, 1.0, 1.0)), turn(1.1, Vec3(1.0, -2.0, 0.5)),
+            turn(0.9, Vec3(-1.0, 0.3, 1.0)), turn(0.5, Vec3(1.0, 0.1, -0.2))};
 }
 
 SkeletonGraph with_tube_radii(const SkeletonGraph& graph, const BitVolume& solid) {
@@ -62,6 +65,11 @@ DescribeOptions with_pose(const TriangleMesh& mesh, const DescribeOptions& optio
     return result;
 }
 
+int turned_resolution(const DescribeOptions& options) {
+    const double wanted = options.turned_resolution * options.skeletonize.voxelize.resolution;
+    return std::max(8, static_cast<int>(std::lround(wanted)));
+}
+
 /// Appends the model's skeletons on the turned grids.
 /// @param options  without canonical_pose: turned against `voxelize.rotation`
 /// Errors: those of skeletonize.
@@ -70,9 +78,11 @@ Result<void> trace_turned(const TriangleMesh& mesh, const DescribeOptions& optio
     assert(!options.skeletonize.canonical_pose);
     assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
     const std::array<Mat3, kMaxTurnedGrids> turns = grid_turns();
+    const int resolution = turned_resolution(options);
     for (std::size_t i = 0; i < static_cast<std::size_t>(options.turned_grids); ++i) {
         SkeletonizeOptions turned = options.skeletonize;
         turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
+        turned.voxelize.resolution = resolution;
         const Result<Skeleton> made = skeletonize(mesh, turned, stop);
         if (!made) return made.error();
         const MeasuredSolid solid(made->solid.volume);

@@ -68,7 +68,8 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
     join_degree_two_nodes(result.pruned);
     prune(result.pruned, surface, options);  // steps 2-4
     update_degrees(result.pruned);
-    set_significance(result.pruned, surface_distance_sums(result.pruned, surface));
+    const std::vector<double> distance_sums = surface_distance_sums(result.pruned, surface);
+    set_significance(result.pruned, distance_sums);
 
     result.refined = result.pruned;
     if (!options.smooth) return result;
@@ -78,7 +79,8 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
         smooth_once(result.refined, branch,
                     smoothing_variance(branch, options.smoothing_scale, options.max_variance));
     }
-    set_significance(result.refined, surface_distance_sums(result.refined, surface));
+    // Smoothing moves no node but those of closed curves, which are of degree 2 and count nothing.
+    set_significance(result.refined, distance_sums);
     return result;
 }
 

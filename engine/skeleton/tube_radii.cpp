@@ -1,6 +1,7 @@
 #include "engine/skeleton/tube_radii.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -54,12 +55,14 @@ CutBranch cut(const SkeletonGraph::Branch& branch, std::vector<Stretch>& stretch
     return result;
 }
 
-/// Which voxels of a row's word are in the cell that begins at x; a cell never straddles words.
-std::uint64_t cell_bits(std::uint64_t word, int x) {
-    return (word >> (static_cast<unsigned>(x) & 63U)) & ((std::uint64_t{1} << kCellSize) - 1);
+/// Which voxels of a row are in the cell that begins at x; a cell never straddles words.
+unsigned cell_bits(std::span<const std::uint64_t> row, int x) {
+    const std::uint64_t word = row[static_cast<std::size_t>(x) >> 6];
+    constexpr std::uint64_t kMask = (std::uint64_t{1} << kCellSize) - 1;
+    return static_cast<unsigned>((word >> (static_cast<unsigned>(x) & 63U)) & kMask);
 }
 
-/// Gives each voxel to the stretch that it is nearest to.
+/// Gives each block of eight voxels to the stretch that its middle is nearest to.
 class VoxelShares {
 public:
     VoxelShares(std::span<const Stretch> stretches, const BitVolume& solid)
@@ -75,20 +78,33 @@ public:
 
 private:
     void share_cell(const Vec3i& corner) {
-        const int y_end = std::min(corner.y() + kCellSize, solid_.size().y());
-        const int z_end = std::min(corner.z() + kCellSize, solid_.size().z());
+        const Vec3i end = (corner + Vec3i::Constant(kCellSize)).cwiseMin(solid_.size());
         bool gathered = false;
-        for (int z = corner.z(); z < z_end; ++z) {
-            for (int y = corner.y(); y < y_end; ++y) {
-                const auto word = static_cast<std::size_t>(corner.x()) >> 6;
-                std::uint64_t bits = cell_bits(solid_.row(y, z)[word], corner.x());
-                if (bits != 0 && !gathered) gather_candidates(corner);
-                gathered = gathered || bits != 0;
-                for (; bits != 0; bits &= bits - 1) {
-                    const int x = corner.x() + std::countr_zero(bits);
-                    voxels_[nearest(Vec3i(x, y, z).cast<float>() + Vec3f::Constant(0.5F))] += 1.0;
+        for (int z = corner.z(); z < end.z(); z += 2) {
+            for (int y = corner.y(); y < end.y(); y += 2) {
+                std::array<unsigned, 4> rows{};
+                for (int k = 0; k < 4; ++k) {
+                    const int row_y = y + k % 2, row_z = z + k / 2;
+                    if (row_y >= end.y() || row_z >= end.z()) continue;
+                    rows[static_cast<std::size_t>(k)] =
+                        cell_bits(solid_.row(row_y, row_z), corner.x());
                 }
+                if ((rows[0] | rows[1] | rows[2] | rows[3]) == 0) continue;
+                if (!gathered) gather_candidates(corner);
+                gathered = true;
+                share_blocks({corner.x(), y, z}, rows);
             }
+        }
+    }
+
+    /// Blocks of two by two by two voxels along four neighbouring rows: each goes as a whole.
+    void share_blocks(const Vec3i& corner, const std::array<unsigned, 4>& rows) {
+        for (int x = 0; x < kCellSize; x += 2) {
+            int count = 0;
+            for (const unsigned row : rows) count += std::popcount((row >> x) & 3U);
+            if (count == 0) continue;
+            const Vec3i block = corner + Vec3i(x, 0, 0);
+            voxels_[nearest(block.cast<float>() + Vec3f::Ones())] += static_cast<double>(count);
         }
     }
 

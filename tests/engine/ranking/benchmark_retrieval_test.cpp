@@ -46,14 +46,17 @@ TEST(BenchmarkRetrieval, FindsTheClassFarMoreOftenThanChance) {
             distance_matrix(collection, statistics, {.ranker = ranker, .jobs = 2}), labels);
     };
     // Chance is 2 in 29, .07.
-    EXPECT_GE(report(RankerKind::kChainCode).mean.nearest_neighbor, 0.3);
+    const RetrievalReport chain_code = report(RankerKind::kChainCode);
+    EXPECT_GE(chain_code.mean.nearest_neighbor, 0.3);
     const RetrievalReport skeleton = report(RankerKind::kSkeleton);
-    EXPECT_GE(skeleton.mean.nearest_neighbor, 0.65);
-    EXPECT_GE(skeleton.mean.first_tier, 0.5);
+    EXPECT_GE(skeleton.mean.nearest_neighbor, 0.8);
+    EXPECT_GE(skeleton.mean.first_tier, 0.7);
     const RetrievalReport hybrid = report(RankerKind::kHybrid);
-    EXPECT_GE(hybrid.mean.nearest_neighbor, 0.75);
-    EXPECT_GE(hybrid.mean.first_tier, 0.6);
-    EXPECT_GE(hybrid.mean.mean_average_precision, skeleton.mean.mean_average_precision);
+    EXPECT_GE(hybrid.mean.nearest_neighbor, 0.8);
+    EXPECT_GE(hybrid.mean.first_tier, 0.7);
+    // Three models a class are too few to tell `hybrid` from `skeleton`.
+    EXPECT_GE(skeleton.mean.mean_average_precision, chain_code.mean.mean_average_precision + 0.2);
+    EXPECT_GE(hybrid.mean.mean_average_precision, chain_code.mean.mean_average_precision + 0.2);
 }
 
 }  // namespace
