@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 
 #include "index/blob.h"
 #include "index/bytes.h"
@@ -14,10 +16,9 @@ namespace {
 
 using Branch = SkeletonDescriptor::Branch;
 
-/// How a branch is written: ends that are its nodes are left out, small numbers take 16 bits. For
-/// the Princeton models this is a seventh less than writing all in full, a third less for the
-/// largest.
-enum Layout : std::uint8_t { kFromNodeA = 1, kToNodeB = 2, kWide = 4, kAllLayouts = 7 };
+/// How a branch is written: small numbers and rounded samples take 16 bits each. Without it the
+/// Princeton models take LATER as much.
+enum Layout : std::uint8_t { kWide = 1, kRounded = 2, kAllLayouts = 3 };
 
 constexpr std::size_t kDigitsOfByte = 3;
 constexpr unsigned kDigits = 5;
@@ -28,30 +29,45 @@ Error corrupt(std::string_view what) {
             std::string(kDescriptorBlob.mark) + " blob: " + std::string(what)};
 }
 
-bool sample_is_node(const Branch& branch, std::size_t sample,
-                    const SkeletonDescriptor::Node& node) {
-    // By their bits: -0 is not 0.
-    const auto same = [](float x, float y) {
-        return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-    };
-    const auto first = branch.points.begin() + static_cast<std::ptrdiff_t>(3 * sample);
-    return std::equal(node.position.begin(), node.position.end(), first, same) &&
-           same(branch.radii[sample], node.radius);
+/// Whether all values are whole multiples of a unit that fit into a T, so that get_multiples gives
+/// them back bit by bit.
+template <typename T>
+bool are_multiples(std::span<const float> values, float unit) {
+    return std::all_of(values.begin(), values.end(), [=](float value) {
+        const float multiple = value / unit;
+        if (!(multiple >= static_cast<float>(std::numeric_limits<T>::min()) &&
+              multiple <= static_cast<float>(std::numeric_limits<T>::max()))) {
+            return false;
+        }
+        const float back = static_cast<float>(static_cast<T>(multiple)) * unit;
+        return std::bit_cast<std::uint32_t>(back) == std::bit_cast<std::uint32_t>(value);
+    });
 }
 
-std::uint8_t layout_of(const SkeletonDescriptor& descriptor, const Branch& branch) {
+template <typename T>
+void put_multiples(ByteWriter& writer, std::span<const float> values, float unit) {
+    for (const float value : values) writer.put(static_cast<T>(value / unit));
+}
+
+template <typename T>
+std::vector<float> get_multiples(ByteReader& reader, std::size_t count, float unit) {
+    std::vector<float> values;
+    for (const T multiple : reader.get_all<T>(count)) {
+        values.push_back(static_cast<float>(multiple) * unit);
+    }
+    return values;
+}
+
+std::uint8_t layout_of(const Branch& branch) {
     constexpr std::size_t kNarrow = 0xFFFF;
     std::uint8_t layout = 0;
-    const std::size_t nodes = descriptor.nodes.size();
-    if (branch.radii.size() >= 2 && branch.a < nodes && branch.b < nodes) {
-        if (sample_is_node(branch, 0, descriptor.nodes[branch.a])) layout |= kFromNodeA;
-        if (sample_is_node(branch, branch.radii.size() - 1, descriptor.nodes[branch.b])) {
-            layout |= kToNodeB;
-        }
-    }
     if (std::max({std::size_t{branch.a}, std::size_t{branch.b}, branch.chain_code.size(),
                   branch.radii.size()}) > kNarrow) {
         layout |= kWide;
+    }
+    if (are_multiples<std::int16_t>(branch.points, kPointUnit) &&
+        are_multiples<std::uint16_t>(branch.radii, kRadiusUnit)) {
+        layout |= kRounded;
     }
     return layout;
 }
@@ -96,10 +112,8 @@ bool get_digits(ByteReader& reader, std::size_t count, std::string& digits) {
     return padded;
 }
 
-void put_branch(ByteWriter& writer, const SkeletonDescriptor& descriptor, const Branch& branch) {
-    const std::uint8_t layout = layout_of(descriptor, branch);
-    const std::size_t first = (layout & kFromNodeA) != 0 ? 1 : 0;
-    const std::size_t last = branch.radii.size() - ((layout & kToNodeB) != 0 ? 1 : 0);
+void put_branch(ByteWriter& writer, const Branch& branch) {
+    const std::uint8_t layout = layout_of(branch);
     writer.put(layout);
     put_number(writer, layout, branch.a);
     put_number(writer, layout, branch.b);
@@ -107,29 +121,22 @@ void put_branch(ByteWriter& writer, const SkeletonDescriptor& descriptor, const 
     put_number(writer, layout, branch.chain_code.size());
     put_digits(writer, branch.chain_code);
     put_number(writer, layout, branch.radii.size());
-    writer.put_all<float>(std::span(branch.points).subspan(3 * first, 3 * (last - first)));
-    writer.put_all<float>(std::span(branch.radii).subspan(first, last - first));
+    if ((layout & kRounded) != 0) {
+        put_multiples<std::int16_t>(writer, branch.points, kPointUnit);
+        put_multiples<std::uint16_t>(writer, branch.radii, kRadiusUnit);
+    } else {
+        writer.put_all<float>(branch.points);
+        writer.put_all<float>(branch.radii);
+    }
 }
 
-/// The samples of a branch of which `layout` says that its ends are left out.
-/// @pre a and b are nodes of the descriptor, count is at least 2
-void get_samples(ByteReader& reader, const SkeletonDescriptor& descriptor, std::uint8_t layout,
-                 std::size_t count, Branch& branch) {
-    const bool from_a = (layout & kFromNodeA) != 0;
-    const bool to_b = (layout & kToNodeB) != 0;
-    const std::size_t stored = count - (from_a ? 1 : 0) - (to_b ? 1 : 0);
-    branch.points = reader.get_all<float>(3 * stored);
-    branch.radii = reader.get_all<float>(stored);
-    if (!reader.ok()) return;
-    if (from_a) {
-        const SkeletonDescriptor::Node& a = descriptor.nodes[branch.a];
-        branch.points.insert(branch.points.begin(), a.position.begin(), a.position.end());
-        branch.radii.insert(branch.radii.begin(), a.radius);
-    }
-    if (to_b) {
-        const SkeletonDescriptor::Node& b = descriptor.nodes[branch.b];
-        branch.points.insert(branch.points.end(), b.position.begin(), b.position.end());
-        branch.radii.push_back(b.radius);
+void get_samples(ByteReader& reader, std::uint8_t layout, std::size_t count, Branch& branch) {
+    if ((layout & kRounded) != 0) {
+        branch.points = get_multiples<std::int16_t>(reader, 3 * count, kPointUnit);
+        branch.radii = get_multiples<std::uint16_t>(reader, count, kRadiusUnit);
+    } else {
+        branch.points = reader.get_all<float>(3 * count);
+        branch.radii = reader.get_all<float>(count);
     }
 }
 
@@ -169,7 +176,7 @@ Result<void> get_branch(ByteReader& reader, const SkeletonDescriptor& descriptor
     if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
         return corrupt("a branch ends at a node that is not there");
     }
-    get_samples(reader, descriptor, layout, samples, branch);
+    get_samples(reader, layout, samples, branch);
     if (!reader.ok()) return corrupt("wrong length");
     return {};
 }
@@ -193,7 +200,7 @@ std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
         writer.put(node.significance);
     }
     writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
-    for (const Branch& branch : descriptor.branches) put_branch(writer, descriptor, branch);
+    for (const Branch& branch : descriptor.branches) put_branch(writer, branch);
     return seal_blob(kDescriptorBlob, writer.bytes());
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <tuple>
 
 #include "engine/chain_code/five_element_code.h"
@@ -42,6 +43,11 @@ Vec3 centre_of(const std::vector<ResampledCurve>& curves, const SkeletonGraph& g
     if (length > 0.0) return sum / length;
     for (const SkeletonGraph::Node& node : graph.nodes) sum += node.position;
     return graph.nodes.empty() ? sum : Vec3(sum / static_cast<double>(graph.nodes.size()));
+}
+
+/// The nearest whole multiple of a unit; 0 has no sign.
+float rounded(double value, float unit) {
+    return static_cast<float>(std::round(value / static_cast<double>(unit))) * unit + 0.0F;
 }
 
 /// FNV-1a.
@@ -110,11 +116,13 @@ SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
         branch.b = refined.branches[i].b;
         branch.length = static_cast<float>(curves[i].length / scale);
         for (const Vec3f& point : curves[i].points) {
-            const Vec3f p = ((point.cast<double>() - centre) / scale).cast<float>();
-            branch.points.insert(branch.points.end(), {p.x(), p.y(), p.z()});
+            const Vec3 p = (point.cast<double>() - centre) / scale;
+            for (const double coordinate : p) {
+                branch.points.push_back(rounded(coordinate, kPointUnit));
+            }
         }
         for (const float radius : curves[i].radii) {
-            branch.radii.push_back(static_cast<float>(radius / scale));
+            branch.radii.push_back(rounded(radius / scale, kRadiusUnit));
         }
     }
     return descriptor;

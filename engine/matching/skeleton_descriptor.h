@@ -28,7 +28,8 @@ struct SkeletonDescriptor {
         std::string chain_code;     ///< 5-element code, '0'-'4', from the more significant node
         std::vector<float> points;  ///< x y z of the resampled branch like Node::position, a → b
         std::vector<float> radii;   ///< over the scale, one a resampled point
-        float length = 0.0F;        ///< over the scale, of the refined branch
+        // Both are whole multiples of kPointUnit and kRadiusUnit where describe_skeleton made them.
+        float length = 0.0F;  ///< over the scale, of the refined branch
     };
     std::vector<Node> nodes;
     std::vector<Branch> branches;
@@ -38,6 +39,11 @@ struct SkeletonDescriptor {
     RootedSkeletons rooted;   ///< derived; for `skeleton`
     SignatureTree hierarchy;  ///< derived; for `chain-code`
 };
+
+/// Samples are rounded to these units, a two-hundredth of the step between them, so that a store
+/// can keep 8 bytes a sample.
+inline constexpr float kPointUnit = 1.0F / 4096.0F;
+inline constexpr float kRadiusUnit = 1.0F / 65536.0F;
 
 struct DescribeSkeletonOptions {
     double sample_step = 0.05;  ///< resampling step over the scale

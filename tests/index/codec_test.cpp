@@ -179,8 +179,8 @@ TEST(EarlierVersions, OfDescriptorsAreReadInFull) {
     EXPECT_EQ(encode_descriptor(*first), encode_descriptor(descriptor));
 }
 
-/// A branch between two nodes with `samples` samples, its ends at the nodes where `exact`.
-SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool exact) {
+/// A branch between two nodes with `samples` samples, rounded or not.
+SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool rounded) {
     SkeletonDescriptor descriptor;
     descriptor.nodes.resize(2);
     descriptor.nodes[0] = {{0.25F, -0.0F, 1.0F}, 0.5F, 0.5F};
@@ -193,42 +193,53 @@ SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool exac
         branch.chain_code += static_cast<char>('0' + i * i % 5);
     }
     for (std::size_t i = 0; i < samples; ++i) {
-        const bool at_end = exact && (i == 0 || i + 1 == samples);
-        const auto& node = descriptor.nodes[i == 0 ? 0 : 1];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            branch.points.push_back(at_end ? node.position[axis] : 0.1F * static_cast<float>(i));
+        const float unit = rounded ? kPointUnit : 0.1F * kPointUnit;
+        for (const float multiple : {-32768.0F, 32767.0F, static_cast<float>(i) - 7.0F}) {
+            branch.points.push_back(unit * multiple);
         }
-        branch.radii.push_back(at_end ? node.radius : 0.01F);
+        branch.radii.push_back(kRadiusUnit * static_cast<float>(65535 - i));
     }
     descriptor.branches.push_back(branch);
     return descriptor;
 }
 
-TEST(Codec, LeavesOutWhatADescriptorSaysTwiceAndGivesItBackBitByBit) {
+TEST(Codec, PacksRoundedSamplesAndGivesThemBackBitByBit) {
     for (const std::size_t digits : {0U, 1U, 2U, 3U, 4U, 200U, 70'000U}) {
         for (const std::size_t samples : {2U, 3U, 40U}) {
-            for (const bool exact : {true, false}) {
-                const SkeletonDescriptor descriptor = one_branch(samples, digits, exact);
+            for (const bool rounded : {true, false}) {
+                const SkeletonDescriptor descriptor = one_branch(samples, digits, rounded);
                 const std::string blob = encode_descriptor(descriptor);
                 const auto read = decode_descriptor(blob);
                 ASSERT_TRUE(read) << read.error().message;
                 EXPECT_EQ(earlier_descriptor(*read, 2), earlier_descriptor(descriptor, 2));
-                const std::size_t stored = exact ? samples - 2 : samples;
-                EXPECT_LE(blob.size(), 100 + 16 * stored + digits / 3 + 1);
+                EXPECT_LE(blob.size(), 100 + (rounded ? 8 : 16) * samples + digits / 3 + 1);
             }
         }
     }
-    SkeletonDescriptor nearly = one_branch(3, 5, true);
-    nearly.branches[0].points[1] = 0.0F;  // the node has -0
-    EXPECT_EQ(earlier_descriptor(*decode_descriptor(encode_descriptor(nearly)), 2),
-              earlier_descriptor(nearly, 2));
+}
+
+TEST(Codec, LeavesSamplesThatAreNotRoundedAsTheyAre) {
+    const auto comes_back = [](const SkeletonDescriptor& descriptor) {
+        const auto read = decode_descriptor(encode_descriptor(descriptor));
+        return read && earlier_descriptor(*read, 2) == earlier_descriptor(descriptor, 2);
+    };
+    for (const float odd : {-0.0F, 8.0F, -8.1F, 1e30F, 0.5F * kPointUnit}) {
+        SkeletonDescriptor descriptor = one_branch(3, 5, true);
+        descriptor.branches[0].points[4] = odd;
+        EXPECT_TRUE(comes_back(descriptor)) << odd;
+    }
+    for (const float odd : {-kRadiusUnit, 1.0F, 0.5F * kRadiusUnit}) {
+        SkeletonDescriptor descriptor = one_branch(3, 5, true);
+        descriptor.branches[0].radii[1] = odd;
+        EXPECT_TRUE(comes_back(descriptor)) << odd;
+    }
 }
 
 TEST(Codec, RefusesPackedDigitsThatStandForNone) {
     const std::string blob = encode_descriptor(one_branch(2, 2, true));
     std::string payload = blob.substr(kBlobHeaderSize, blob.size() - 16);
-    // The last bytes are the digits and the number of samples.
-    char& digits = payload[payload.size() - 3];
+    // The last bytes are the digits, the number of samples and two rounded samples.
+    char& digits = payload[payload.size() - 3 - 2 * 8];
     ASSERT_TRUE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload)));
     for (const int byte : {125, 255, 1}) {  // 1: a third digit where there are two
         digits = static_cast<char>(byte);
