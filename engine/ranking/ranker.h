@@ -69,8 +69,8 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
                                const RankOptions& options = {});
 
 /// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
-/// normalised shares of each descriptor, for `skeleton` those of the tree edit distance and of the
-/// pairs of points; the correspondence is that of the tree edit distance. `rerank` is
+/// normalised shares of each descriptor, for `skeleton` those of the tree edit distance, of the
+/// pairs of points and of their layout; the correspondence is that of the tree edit distance. `rerank` is
 /// not a matter of one pair and is ignored; a query that the statistics do not know is judged by
 /// the pooled scale, so its distance may differ a little from that of rank_distances.
 Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
