@@ -1,0 +1,44 @@
+#pragma once
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include "server/http.h"
+#include "server/watchdog.h"
+
+namespace ossuary::server {
+
+/// What the connections of one server share.
+struct HttpShared {
+    HttpOptions options;
+    HttpHandler& handler;
+    Watchdog watchdog;
+    std::atomic<bool> stopping = false;
+    std::atomic<std::size_t> waiting = 0;
+    std::atomic<std::size_t> body_bytes = 0;
+    std::atomic<std::uint64_t> next_id = 0;
+    std::string id_prefix;
+    int wake = -1;  ///< an eventfd, readable once `stopping`
+
+    HttpShared(const HttpOptions& chosen, HttpHandler& handler_)
+        : options(chosen), handler(handler_) {
+        std::random_device random;
+        constexpr std::string_view kDigits = "0123456789abcdef";
+        for (int i = 0; i < 8; ++i) id_prefix.push_back(kDigits[random() % 16]);
+        wake = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    }
+    ~HttpShared() { ::close(wake); }
+    HttpShared(const HttpShared&) = delete;
+    HttpShared& operator=(const HttpShared&) = delete;
+
+    std::string new_id() { return id_prefix + "-" + std::to_string(++next_id); }
+};
+
+}  // namespace ossuary::server
