@@ -2,6 +2,7 @@ import type { Correspondence, PreviewMesh, Skeleton } from '../api/types';
 import { type Child, element } from '../page/element';
 import { formatDistance, formatPlural } from '../page/format';
 import { assignBranchColors, type ColoredPair } from './branch_colors';
+import { dialogContent } from './dialog_content';
 import { matchTable } from './match_table';
 import { kFirstOrbit } from './orbit';
 import { OrbitSource } from './orbit_input';
@@ -164,17 +165,11 @@ export function comparison(input: ComparisonInput): Comparison {
         ];
     }
     return {
-        node: element(
-            'div',
-            { class: 'dialog-content' },
-            element('div', { class: 'stage' }, stage),
-            element(
-                'div',
-                { class: 'dialog-side' },
-                element('p', { class: 'match-summary' }, summary(input)),
-                partsList(input.parts),
-                table.node,
-            ),
+        node: dialogContent(
+            stage,
+            element('p', { class: 'match-summary' }, summary(input)),
+            partsList(input.parts),
+            table.node,
         ),
         dispose() {
             for (const { pane } of sides) {

@@ -12,6 +12,7 @@ import {
 import { mergeVertices, toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 import type { Point, PreviewMesh, Skeleton, SkeletonNode } from '../api/types';
+import { disposeBelow } from './dispose';
 import { type Frame, frameModel } from './frame';
 import { surfaceMaterial } from './surface_material';
 import type { ViewerTheme } from './theme';
@@ -126,17 +127,7 @@ export class ModelScene {
     }
 
     dispose(): void {
-        const seen = new Set<{ dispose(): void }>();
-        this.root.traverse((object) => {
-            if (object instanceof Mesh) {
-                seen.add(object.geometry);
-                seen.add(object.material);
-            }
-        });
-        for (const resource of seen) {
-            resource.dispose();
-        }
-        this.root.clear();
+        disposeBelow(this.root);
         this.tubes_.clear();
     }
 

@@ -1,6 +1,7 @@
 import type { Segments, Skeleton } from '../api/types';
 import { type Child, element } from '../page/element';
 import { formatPlural } from '../page/format';
+import { dialogContent } from './dialog_content';
 import { partColors } from './part_colors';
 import { formatShare, partLegend } from './part_legend';
 import type { ScreenPoint } from './pick';
@@ -89,23 +90,17 @@ export async function partsView(input: PartsInput): Promise<View> {
     }
     const summary = formatPlural(parts.length, 'part');
     return {
-        node: element(
-            'div',
-            { class: 'dialog-content' },
-            element('div', { class: 'stage' }, stage),
+        node: dialogContent(
+            stage,
             element(
-                'div',
-                { class: 'dialog-side' },
-                element(
-                    'p',
-                    { class: 'match-summary' },
-                    pane
-                        ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.`
-                        : `${summary}.`,
-                ),
-                pane && advice(pane.jointCount),
-                legend.node,
+                'p',
+                { class: 'match-summary' },
+                pane
+                    ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.`
+                    : `${summary}.`,
             ),
+            pane && advice(pane.jointCount),
+            legend.node,
         ),
         dispose: () => pane?.dispose(),
     };

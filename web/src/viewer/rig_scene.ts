@@ -15,6 +15,7 @@ import {
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
 import type { Point, Skeleton } from '../api/types';
+import { disposeBelow } from './dispose';
 import { frameOf } from './frame';
 import { positionOf } from './pose';
 import { branchOf, type Rig } from './rig';
@@ -144,20 +145,7 @@ export class RigScene {
     }
 
     dispose(): void {
-        const seen = new Set<{ dispose(): void }>();
-        this.root.traverse((object) => {
-            if (object instanceof Mesh) {
-                seen.add(object.geometry);
-                seen.add(object.material);
-            }
-            if (object instanceof SkinnedMesh) {
-                seen.add(object.skeleton);
-            }
-        });
-        for (const resource of seen) {
-            resource.dispose();
-        }
-        this.root.clear();
+        disposeBelow(this.root);
     }
 
     private paint(): void {
