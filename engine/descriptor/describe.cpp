@@ -67,7 +67,8 @@ DescribeOptions with_pose(const TriangleMesh& mesh, const DescribeOptions& optio
 
 int turned_resolution(const DescribeOptions& options) {
     const double wanted = options.turned_resolution * options.skeletonize.voxelize.resolution;
-    return std::max(8, static_cast<int>(std::lround(wanted)));
+    constexpr int kLeast = 8;  // of VoxelizeOptions::resolution
+    return std::max(kLeast, static_cast<int>(std::lround(wanted)));
 }
 
 /// Appends the model's skeletons on the turned grids.

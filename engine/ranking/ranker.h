@@ -70,9 +70,9 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
 
 /// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
 /// normalised shares of each descriptor, for `skeleton` those of the tree edit distance, of the
-/// pairs of points and of their layout; the correspondence is that of the tree edit distance. `rerank` is
-/// not a matter of one pair and is ignored; a query that the statistics do not know is judged by
-/// the pooled scale, so its distance may differ a little from that of rank_distances.
+/// pairs of points and of their layout; the correspondence is that of the tree edit distance.
+/// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
+/// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
 Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
               const CollectionStatistics& statistics, const RankOptions& options = {});
 
