@@ -18,7 +18,7 @@ using ModelId = std::int64_t;
 
 /// Raised whenever the same file would be described differently; an index that was built with
 /// another version has to be built again.
-inline constexpr int kPipelineVersion = 3;
+inline constexpr int kPipelineVersion = 4;
 
 /// How the models of an index were described. All of one index are described alike, and queries
 /// like them, so these are fixed when an index is made.

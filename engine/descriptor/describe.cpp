@@ -22,8 +22,9 @@ std::array<Mat3, kMaxTurnedGrids> grid_turns() {
     const auto turn = [](double angle, const Vec3& axis) {
         return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
     };
-    return {turn(0.7, Vec3(1.0, 1.0, 1.0)), turn(1.1, Vec3(1.0, -2.0, 0.5)),
-            turn(0.9, Vec3(-1.0, 0.3, 1.0)), turn(0.5, Vec3(1.0, 0.1, -0.2))};
+    return {turn(0.7, Vec3(1.0, 1.0, 1.0)),  turn(1.1, Vec3(1.0, -2.0, 0.5)),
+            turn(0.9, Vec3(-1.0, 0.3, 1.0)), turn(0.5, Vec3(1.0, 0.1, -0.2)),
+            turn(0.8, Vec3(0.2, 1.0, -0.7)), turn(1.0, Vec3(1.0, 0.2, 1.1))};
 }
 
 SkeletonGraph with_tube_radii(const SkeletonGraph& graph, const BitVolume& solid) {
@@ -84,6 +85,7 @@ Result<void> trace_turned(const TriangleMesh& mesh, const DescribeOptions& optio
         SkeletonizeOptions turned = options.skeletonize;
         turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
         turned.voxelize.resolution = resolution;
+        turned.refine.significance = false;  // a tenth of the time, and not looked at
         const Result<Skeleton> made = skeletonize(mesh, turned, stop);
         if (!made) return made.error();
         const MeasuredSolid solid(made->solid.volume);

@@ -16,10 +16,10 @@ struct DescribeOptions {
     /// Skeletons on coarser grids turned against the first one, at most kMaxTurnedGrids, over which
     /// the descriptors that need no matching are averaged: where thinning decides by a voxel, each
     /// decides anew.
-    int turned_grids = 4;
+    int turned_grids = 6;
     double turned_resolution = 2.0 / 3.0;  ///< of skeletonize.voxelize.resolution
 };
-inline constexpr int kMaxTurnedGrids = 4;
+inline constexpr int kMaxTurnedGrids = 6;
 
 /// All that the index keeps of a model and the rankers need of a query.
 struct Description {

@@ -1,6 +1,7 @@
 #include "engine/descriptor/skeleton_layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/descriptor/histogram.h"
 #include "engine/descriptor/skeleton_samples.h"
@@ -13,6 +14,9 @@ constexpr int kCosines = 7;
 static_assert(kDistances * kDistances * kCosines == kSkeletonLayoutSize);
 constexpr double kFarthest = 1.6;
 constexpr double kByteScale = 510.0;
+
+/// The mean square distance of a ball's points from its middle, over its squared radius.
+constexpr double kBallSpread = 0.6;
 
 double mass(const SkeletonSample& sample) { return sample.length * sample.radius * sample.radius; }
 
@@ -29,7 +33,8 @@ std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
     std::vector<double> distances;
     for (const SkeletonSample& sample : samples) {
         points.emplace_back(sample.point.cast<double>() - centre);
-        distances.push_back(points.back().norm());
+        distances.push_back(
+            std::sqrt(points.back().squaredNorm() + kBallSpread * sample.radius * sample.radius));
     }
     SoftHistogram<3> histogram(
         {{{0.0, kFarthest, kDistances}, {0.0, kFarthest, kDistances}, {-1.0, 1.0, kCosines}}});

@@ -23,8 +23,8 @@ constexpr std::size_t kMaxKnown = kMaxPairs / kLeastReferences;
 
 /// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
 /// weighs as much as this many distances against those.
-constexpr ModelScale kTypicalScale = {{0.50, 2940.0, 2130.0, 16800.0, 218000.0, 4330.0, 6140.0},
-                                      {0.072, 1060.0, 980.0, 3430.0, 80000.0, 1490.0, 1500.0}};
+constexpr ModelScale kTypicalScale = {{0.50, 2890.0, 2080.0, 16800.0, 218000.0, 4330.0, 6140.0},
+                                      {0.072, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0}};
 static_assert(kTypicalScale.mean.back() > 0.0 && kTypicalScale.deviation.back() > 0.0,
               "a component without a scale");
 constexpr double kTypicalWeight = 10.0;

@@ -68,8 +68,11 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
     join_degree_two_nodes(result.pruned);
     prune(result.pruned, surface, options);  // steps 2-4
     update_degrees(result.pruned);
-    const std::vector<double> distance_sums = surface_distance_sums(result.pruned, surface);
-    set_significance(result.pruned, distance_sums);
+    std::vector<double> distance_sums;
+    if (options.significance) {
+        distance_sums = surface_distance_sums(result.pruned, surface);
+        set_significance(result.pruned, distance_sums);
+    }
 
     result.refined = result.pruned;
     if (!options.smooth) return result;
@@ -80,7 +83,7 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
                     smoothing_variance(branch, options.smoothing_scale, options.max_variance));
     }
     // Smoothing moves no node but those of closed curves, which are of degree 2 and count nothing.
-    set_significance(result.refined, distance_sums);
+    if (options.significance) set_significance(result.refined, distance_sums);
     return result;
 }
 

@@ -26,6 +26,7 @@ struct RefineOptions {
     int max_leaves = 24;          ///< protrusion: raise the threshold until at most this many
     bool merge_junctions = true;  ///< contract inner branches shorter than the larger end radius
     double significance_scale = 2.0;  ///< significance: t_k of the pruning threshold
+    bool significance = true;         ///< in the results; without it they do not stand for eq. 3.3
     bool smooth = true;
     double presmooth_variance = 4.0;  ///< t of the pre-pass (points squared)
     double max_variance = 400.0;      ///< upper limit of the adaptive t_k of eq. 3.4
@@ -39,7 +40,7 @@ struct RefinedSkeleton {
 
 /// The seven steps of sec. 3.2.4 on a skeleton in voxel units: decompose, significance (eq. 3.3),
 /// prune, re-decompose, bending (eq. 3.4), adaptive Gaussian (eq. 3.1-3.2). Both results carry
-/// degrees and significances; neither has lost a cycle or a component.
+/// degrees and, unless declined, significances; neither has lost a cycle or a component.
 /// @param surface  points of the model's surface in the same (grid) coordinates, for eq. 3.3
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
                        const RefineOptions& options = {});

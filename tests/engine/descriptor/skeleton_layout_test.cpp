@@ -55,6 +55,28 @@ TEST(SkeletonLayout, KnowsThePose) {
     EXPECT_GT(much, 2 * little);
 }
 
+/// A short straight limb of this radius, with a stub across its middle or without.
+SkeletonDescriptor short_limb(double radius, bool with_stub) {
+    SkeletonGraph graph;
+    graph.nodes.push_back({Vec3::Zero(), radius, 0.0, with_stub ? 3 : 2});
+    std::vector<Vec3> ends = {Vec3(0.2, 0, 0), Vec3(-0.2, 0, 0)};
+    if (with_stub) ends.emplace_back(0, 0.2, 0);
+    for (const Vec3& end : ends) {
+        const auto node = static_cast<std::uint32_t>(graph.nodes.size());
+        graph.nodes.push_back({end, radius, 0.0, 1});
+        graph.branches.push_back({0, node, {Vec3::Zero(), end}, {radius, radius}});
+    }
+    return describe_skeleton(graph, 1.0);
+}
+
+TEST(SkeletonLayout, HeedsAShortBranchLessInAThickBody) {
+    const auto stub_tells = [](double radius) {
+        return distance(layout(short_limb(radius, false)), layout(short_limb(radius, true)));
+    };
+    EXPECT_GT(stub_tells(0.02), 0U);
+    EXPECT_LT(2 * stub_tells(0.5), stub_tells(0.02));
+}
+
 TEST(SkeletonLayout, CopesWithAPointAndWithNothing) {
     const SkeletonDescriptor nothing;
     EXPECT_EQ(layout(nothing), std::vector<std::uint8_t>(kSkeletonLayoutSize, 0));

@@ -246,6 +246,24 @@ TEST(Refine, FindsTheSameLimbsInAMirroredOrPermutedVolume) {
     }
 }
 
+TEST(Refine, LeavesTheSameSkeletonWithoutSignificance) {
+    const Prepared prepared = prepare(test::capsule_tree().volume);
+    RefineOptions options;
+    options.significance = false;
+    const SkeletonGraph with = refine(prepared.graph, prepared.surface).refined;
+    const SkeletonGraph without = refine(prepared.graph, {}, options).refined;
+    ASSERT_EQ(without.nodes.size(), with.nodes.size());
+    for (std::size_t i = 0; i < with.nodes.size(); ++i) {
+        EXPECT_EQ(without.nodes[i].position, with.nodes[i].position);
+        EXPECT_GT(with.nodes[i].significance, 0.0);
+        EXPECT_EQ(without.nodes[i].significance, 0.0);
+    }
+    ASSERT_EQ(without.branches.size(), with.branches.size());
+    for (std::size_t i = 0; i < with.branches.size(); ++i) {
+        EXPECT_EQ(without.branches[i].points, with.branches[i].points);
+    }
+}
+
 TEST(Refine, KeepsBranchesAttachedToTheirNodes) {
     const Prepared prepared = prepare(test::double_torus().volume);
     for (const SmoothingScale scale :
