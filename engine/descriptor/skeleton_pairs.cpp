@@ -53,6 +53,8 @@ std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
                                  {std::log(0.01), std::log(0.4), static_cast<int>(kRadii)}}});
     const std::vector<SkeletonSample> samples = skeleton_samples(skeleton);
     const AlongSkeleton along(skeleton);
+    std::vector<double> logarithms;  // of the radii: one for each sample, not for each pair
+    for (const SkeletonSample& sample : samples) logarithms.push_back(std::log(sample.radius));
     for (std::size_t i = 0; i < samples.size(); ++i) {
         for (std::size_t j = i + 1; j < samples.size(); ++j) {
             const SkeletonSample& s = samples[i];
@@ -61,7 +63,7 @@ std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
             double distance = along.distance(s, t);
             if (!std::isfinite(distance)) distance = straight;
             const double share = distance > 0.0 ? straight / distance : 1.0;
-            histogram.add({distance, share, std::log(std::min(s.radius, t.radius))},
+            histogram.add({distance, share, std::min(logarithms[i], logarithms[j])},
                           s.length * s.radius * t.length * t.radius);
         }
     }
