@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace ossuary {
@@ -15,6 +16,9 @@ public:
         for (std::uint32_t item = 0; item < count; ++item) parent_.push_back(item);
     }
 
+    /// @param parents  for each item itself or a smaller one of the same set
+    explicit DisjointSets(std::vector<std::uint32_t> parents) : parent_(std::move(parents)) {}
+
     std::uint32_t find(std::uint32_t item) {
         while (parent_[item] != item) {
             parent_[item] = parent_[parent_[item]];
@@ -24,6 +28,7 @@ public:
     }
 
     void unite(std::uint32_t a, std::uint32_t b) {
+        if (parent_[a] == parent_[b]) return;  // most often so where neighbours come in turn
         a = find(a);
         b = find(b);
         if (a < b) {
@@ -31,6 +36,13 @@ public:
         } else {
             parent_[a] = b;
         }
+    }
+
+    /// The representative of every item, in one pass.
+    [[nodiscard]] std::vector<std::uint32_t> representatives() const {
+        std::vector<std::uint32_t> result(parent_);
+        for (std::uint32_t& parent : result) parent = result[parent];  // parents come first
+        return result;
     }
 
 private:

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "engine/voxel/boundary_sum.h"
+
 namespace ossuary {
 namespace {
 
@@ -45,6 +47,27 @@ public:
 private:
     std::vector<std::uint32_t> slots_;
     std::size_t mask_;
+};
+
+/// Whether some numbers come twice; may say so, once in 10^5 meshes, where none does.
+class RepeatFinder {
+public:
+    explicit RepeatFinder(std::size_t capacity)
+        : slots_(std::bit_ceil(2 * capacity + 2), 0), mask_(slots_.size() - 1) {}
+
+    [[nodiscard]] bool found() const { return found_; }
+    void add(std::uint64_t number) {
+        const std::uint32_t mark = static_cast<std::uint32_t>(number >> 32) | 1u;
+        std::size_t slot = static_cast<std::size_t>(number) & mask_;
+        while (slots_[slot] != 0 && slots_[slot] != mark) slot = (slot + 1) & mask_;
+        found_ = found_ || slots_[slot] == mark;
+        slots_[slot] = mark;
+    }
+
+private:
+    std::vector<std::uint32_t> slots_;
+    std::size_t mask_;
+    bool found_ = false;
 };
 
 bool is_orthonormal(const Mat3& m) {
@@ -89,6 +112,30 @@ void take_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& 
     }
 }
 
+struct Connections {
+    std::vector<std::uint8_t> used;  ///< for each vertex: stray ones may lie anywhere
+    /// Every edge is run along as often one way as the other and no triangle comes twice: there is
+    /// nothing to weld.
+    bool closed = false;
+};
+
+Connections look_at_triangles(const TriangleMesh& mesh) {
+    Connections result;
+    result.used.assign(mesh.vertices.size(), 0);
+    const std::vector<std::uint64_t> keys = point_keys(mesh.vertices.size());
+    BoundarySum boundary;
+    RepeatFinder repeats(mesh.triangles.size());
+    for (const auto& t : mesh.triangles) {
+        for (const std::uint32_t v : t) result.used[v] = 1;
+        repeats.add(boundary.add(t, keys));
+    }
+    result.closed = boundary.oriented == 0 && !repeats.found();
+    return result;
+}
+
+/// To the nearest. @pre positive: std::lround is a call
+std::int32_t rounded(double x) { return static_cast<std::int32_t>(x + 0.5); }
+
 }  // namespace
 
 Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& options) {
@@ -101,11 +148,8 @@ Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& 
     }
     if (mesh.empty()) return {ErrorCode::kMeshEmpty, "the mesh has no triangle"};
 
-    // Only what triangles name counts; stray vertices may lie anywhere.
-    std::vector<std::uint8_t> used(mesh.vertices.size(), 0);
-    for (const auto& t : mesh.triangles) {
-        for (const std::uint32_t v : t) used[v] = 1;
-    }
+    const Connections connections = look_at_triangles(mesh);
+    const std::vector<std::uint8_t>& used = connections.used;
     const bool turned = options.rotation != Mat3::Identity();
     const Mat3 grid_from_world = options.rotation.transpose();
     const auto laid = [&](const Vec3& v) -> Vec3 { return turned ? grid_from_world * v : v; };
@@ -143,19 +187,33 @@ Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& 
     grid.world_from_grid.rotation = options.rotation;
     grid.world_from_grid.origin = options.rotation * (min - voxel_size * shift);
 
+    const auto snapped = [&](const Vec3& v) -> GridPoint {
+        const Vec3 p = ((laid(v) - min) / voxel_size + shift) * kGridOne;
+        return {rounded(p.x()), rounded(p.y()), rounded(p.z())};
+    };
     std::vector<std::uint32_t> point_of(mesh.vertices.size(), kNone);
-    TripleTable table(mesh.vertices.size());
     grid.points.reserve(mesh.vertices.size());
+    if (connections.closed) {
+        grid.closed = true;
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+            if (used[v] == 0) continue;
+            point_of[v] = static_cast<std::uint32_t>(grid.points.size());
+            grid.points.push_back(snapped(mesh.vertices[v]));
+        }
+        grid.triangles.reserve(mesh.triangles.size());
+        for (const auto& [i, j, k] : mesh.triangles) {
+            grid.triangles.push_back({point_of[i], point_of[j], point_of[k]});
+        }
+        return grid;
+    }
+    TripleTable table(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (used[v] == 0) continue;
-        const Vec3 p = ((laid(mesh.vertices[v]) - min) / voxel_size + shift) * kGridOne;
-        const GridPoint snapped = {static_cast<std::int32_t>(std::lround(p.x())),
-                                   static_cast<std::int32_t>(std::lround(p.y())),
-                                   static_cast<std::int32_t>(std::lround(p.z()))};
-        point_of[v] = table.find_or_enter(snapped, grid.points);
+        const GridPoint point = snapped(mesh.vertices[v]);
+        point_of[v] = table.find_or_enter(point, grid.points);
         if (point_of[v] == kNone) {
             point_of[v] = static_cast<std::uint32_t>(grid.points.size());
-            grid.points.push_back(snapped);
+            grid.points.push_back(point);
         }
     }
     take_triangles(mesh, point_of, grid);

@@ -18,8 +18,9 @@ inline constexpr int kGridBits = 18;
 inline constexpr std::int32_t kGridOne = 1 << kGridBits;
 inline constexpr std::int32_t kGridHalf = kGridOne / 2;
 
-/// A mesh laid into the voxel grid: vertices snapped to kGridOne-ths of a voxel and welded where
-/// they then coincide, repeated triangles left out.
+/// A mesh laid into the voxel grid: vertices snapped to kGridOne-ths of a voxel. Unless the mesh
+/// is closed as it comes, they are welded where they then coincide, and repeated triangles are left
+/// out.
 struct GridMesh {
     using Triangle = std::array<std::uint32_t, 3>;
     using Segment = std::array<std::uint32_t, 2>;
@@ -30,6 +31,8 @@ struct GridMesh {
     std::vector<GridPoint> points;
     std::vector<Triangle> triangles;  ///< three different points each; no two on the same points
     std::vector<Segment> collapsed;   ///< what is left of triangles with coinciding corners
+    /// Every edge is run along as often one way as the other; different points may coincide.
+    bool closed = false;
     std::size_t repeated_triangles = 0;
 
     /// The voxel that holds a position; on the far side of the bounding box, the last one in it.

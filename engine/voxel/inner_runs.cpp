@@ -1,6 +1,6 @@
 #include "engine/voxel/inner_runs.h"
 
-#include <algorithm>
+#include <bit>
 #include <limits>
 #include <vector>
 
@@ -63,13 +63,20 @@ public:
 private:
     void add_row(std::span<const std::uint64_t> words, int size, RowExtent& extent) {
         extent.first_run = static_cast<std::uint32_t>(runs_.size());
-        bool empty = true;
-        for (const std::uint64_t word : words) empty = empty && word == 0;
-        if (empty) return;
+        std::size_t first = 0, last = words.size();
+        while (first < last && words[first] == 0) ++first;
+        if (first == last) return;
+        while (words[last - 1] == 0) --last;
+        extent.begin = static_cast<std::int32_t>(64 * first) + std::countr_zero(words[first]);
+        extent.end = static_cast<std::int32_t>(64 * last) - std::countl_zero(words[last - 1]);
+        // Most rows are one run, and have no inner ones.
+        int ones = 0;
+        for (std::size_t w = first; w < last; ++w) ones += std::popcount(words[w]);
+        if (ones == extent.end - extent.begin) return;
+        std::int32_t begin_inner = -1;
         for_each_run(words, size, false, [&](int begin, int end) {
-            if (extent.end >= 0) runs_.push_back({extent.end, begin});
-            extent.begin = std::min(extent.begin, begin);
-            extent.end = end;
+            if (begin_inner >= 0) runs_.push_back({begin_inner, begin});
+            begin_inner = end;
         });
     }
 

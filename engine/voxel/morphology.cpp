@@ -1,5 +1,6 @@
 #include "engine/voxel/morphology.h"
 
+#include <array>
 #include <vector>
 
 namespace ossuary {
@@ -73,41 +74,35 @@ BitVolume erode(const BitVolume& volume) {
     return result;
 }
 
-BitVolume thick_parts(const BitVolume& volume) {
-    const Vec3i size = volume.size();
-    if (size.minCoeff() < 2) return BitVolume(size);
-    // Each block is known by its first voxel until the second pass spreads it out.
-    BitVolume result(size);
-    const auto with_next = [](std::span<const std::uint64_t> row, std::size_t w) {
-        return row[w] & ((row[w] >> 1) | (w + 1 < row.size() ? row[w + 1] << 63 : 0));
+bool is_near_thick_part(const BitVolume& volume, const Vec3i& v) {
+    const auto word = static_cast<std::size_t>((v.x() - 2) >> 6);
+    const int bit = (v.x() - 2) & 63;
+    // Bit i of pairs[z][y]: the voxels x - 2 + i and the next one of the row are set.
+    std::array<std::array<std::uint64_t, 5>, 5> pairs;
+    const auto look_at_row = [&](std::size_t y, std::size_t z) {
+        const auto row =
+            volume.row(v.y() - 2 + static_cast<int>(y), v.z() - 2 + static_cast<int>(z));
+        std::uint64_t five = row[word] >> bit;
+        if (bit > 59) five |= row[word + 1] << (64 - bit);
+        pairs[z][y] = five & (five >> 1) & 15;
     };
-    for (int z = 0; z + 1 < size.z(); ++z) {
-        for (int y = 0; y + 1 < size.y(); ++y) {
-            const auto out = result.row(y, z);
-            for (std::size_t w = 0; w < out.size(); ++w) {
-                const std::uint64_t here = with_next(volume.row(y, z), w);
-                if (here == 0) continue;
-                out[w] = here & with_next(volume.row(y + 1, z), w) &
-                         with_next(volume.row(y, z + 1), w) &
-                         with_next(volume.row(y + 1, z + 1), w);
+    const auto any_block = [&](std::size_t begin, std::size_t end) {
+        std::uint64_t blocks = 0;
+        for (std::size_t z = begin; z + 1 < end; ++z) {
+            for (std::size_t y = begin; y + 1 < end; ++y) {
+                blocks |= pairs[z][y] & pairs[z][y + 1] & pairs[z + 1][y] & pairs[z + 1][y + 1];
             }
         }
+        return blocks != 0;
+    };
+    for (std::size_t z = 1; z < 4; ++z) {
+        for (std::size_t y = 1; y < 4; ++y) look_at_row(y, z);
     }
-    // Backwards, so that what a row takes from earlier ones is still as the first pass left it.
-    for (int z = size.z() - 1; z >= 0; --z) {
-        for (int y = size.y() - 1; y >= 0; --y) {
-            const auto row = result.row(y, z);
-            for (std::size_t w = 0; w < row.size(); ++w) {
-                if (y > 0) row[w] |= result.row(y - 1, z)[w];
-                if (z > 0) row[w] |= result.row(y, z - 1)[w];
-                if (y > 0 && z > 0) row[w] |= result.row(y - 1, z - 1)[w];
-            }
-            for (std::size_t w = row.size(); w-- > 0;) {
-                row[w] |= (row[w] << 1) | (w > 0 ? row[w - 1] >> 63 : 0);
-            }
-        }
+    if (any_block(1, 4)) return true;
+    for (std::size_t z = 0; z < 5; ++z) {
+        for (std::size_t y = 0; y < 5; ++y) look_at_row(y, z);
     }
-    return result;
+    return any_block(0, 5);
 }
 
 }  // namespace ossuary

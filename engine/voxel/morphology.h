@@ -10,7 +10,9 @@ BitVolume dilate(const BitVolume& volume);
 /// The voxels of the volume all of whose 26 neighbours are set; outside counts as set.
 BitVolume erode(const BitVolume& volume);
 
-/// The union of all 2x2x2 blocks within the volume: its parts at least two voxels thick.
-BitVolume thick_parts(const BitVolume& volume);
+/// Whether a voxel or one of its 26 neighbours is in a part of the volume that is at least two
+/// voxels thick: in a 2x2x2 block of set voxels.
+/// @pre two voxels or more from the volume's border
+bool is_near_thick_part(const BitVolume& volume, const Vec3i& voxel);
 
 }  // namespace ossuary

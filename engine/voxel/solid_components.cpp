@@ -10,6 +10,7 @@
 #include "engine/mesh/disjoint_sets.h"
 #include "engine/voxel/border.h"
 #include "engine/voxel/components.h"
+#include "engine/voxel/count_components.h"
 
 namespace ossuary {
 namespace {
@@ -151,9 +152,9 @@ void drop_small(BitVolume& volume, double min_extent, JoinedComponents& result) 
 
 JoinedComponents join_components(BitVolume& volume, const JoinOptions& options) {
     JoinedComponents result;
+    result.remaining = count_components(volume);
+    if (result.remaining < 2) return result;
     const Components components = label_components(volume, Connectivity::kVertices);
-    result.remaining = components.count();
-    if (components.count() < 2) return result;
     if (options.bridge_gap > 0) {
         result.bridged = build_bridges(volume, components, options.bridge_gap);
     }

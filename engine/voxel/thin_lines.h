@@ -8,15 +8,14 @@
 
 namespace ossuary {
 
-/// Where a solid, sampled at voxel centres, may have lost something of its surface.
-struct ThinPlaces {
-    BitVolume thick;  ///< the thick parts of the solid (morphology.h)
-    /// Triangles with a corner that has nothing thick around it, or longer than four voxels, so
-    /// that the corners do not tell enough. Elsewhere lines that miss all centres only graze the
-    /// outline.
-    std::vector<std::uint32_t> triangles;
-};
-ThinPlaces find_thin_places(const GridMesh& mesh, const BitVolume& solid);
+/// Longer triangles, in one axis, can hide something between their corners.
+inline constexpr std::int32_t kLongEdge = 4 * kGridOne;
+
+/// The triangles at which a solid, sampled at voxel centres, may have lost something of its
+/// surface: with a corner that has nothing thick around it (morphology.h), or longer than
+/// kLongEdge, so that the corners do not tell enough. Elsewhere lines that miss all centres only
+/// graze the outline.
+std::vector<std::uint32_t> find_thin_places(const GridMesh& mesh, const BitVolume& solid);
 
 /// The lines along an axis that pass by thin places, and what they may cross.
 struct LinesPast {
@@ -24,7 +23,8 @@ struct LinesPast {
     std::vector<std::uint32_t> triangles;  ///< all that a line crosses, and some more
 };
 /// @param candidates  the triangles to choose from
+/// @param thin_places  find_thin_places
 LinesPast lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
-                     const ThinPlaces& places, int axis);
+                     const std::vector<std::uint32_t>& thin_places, int axis);
 
 }  // namespace ossuary

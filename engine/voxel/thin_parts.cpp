@@ -8,50 +8,70 @@
 
 #include "engine/voxel/morphology.h"
 #include "engine/voxel/simple_point.h"
+#include "engine/voxel/thin_lines.h"
 
 namespace ossuary {
 namespace {
+
+/// Calls visit(Vec3i) for the voxels of places between two points that are at most `spacing` apart.
+template <typename Visit>
+void for_each_between(const GridMesh& mesh, std::uint32_t i, std::uint32_t k, std::int32_t spacing,
+                      Visit&& visit) {
+    // In a fixed direction, so that the voxels do not depend on the order of the corners.
+    const bool forward = mesh.points[i] < mesh.points[k];
+    const GridPoint& a = mesh.points[forward ? i : k];
+    const GridPoint& b = mesh.points[forward ? k : i];
+    std::int32_t longest = 0;
+    for (std::size_t x = 0; x < 3; ++x) longest = std::max(longest, std::abs(b[x] - a[x]));
+    const std::int32_t steps = (longest + spacing - 1) / spacing;
+    // a + (b - a) * s / steps, rounded towards a, without its divisions.
+    GridPoint p = a, whole, rest, sign, sum{};
+    for (std::size_t x = 0; x < 3; ++x) {
+        whole[x] = (b[x] - a[x]) / steps;
+        rest[x] = std::abs((b[x] - a[x]) % steps);
+        sign[x] = b[x] > a[x] ? 1 : -1;
+    }
+    for (std::int32_t s = 1; s < steps; ++s) {
+        for (std::size_t x = 0; x < 3; ++x) {
+            sum[x] += rest[x];
+            const std::int32_t carry = sum[x] >= steps ? 1 : 0;
+            sum[x] -= steps & -carry;
+            p[x] += whole[x] + carry * sign[x];
+        }
+        visit(mesh.voxel_of(p));
+    }
+}
 
 /// Calls visit(Vec3i) for the voxels of the triangles' corners, and of places along their edges and
 /// along collapsed triangles that are at most `spacing` apart.
 template <typename Visit>
 void for_each_edge_voxel(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
                          std::int32_t spacing, Visit&& visit) {
-    const auto edge = [&](std::uint32_t i, std::uint32_t k) {
-        // In a fixed direction, so that the voxels do not depend on the order of the corners.
-        const bool forward = mesh.points[i] < mesh.points[k];
-        const GridPoint& a = mesh.points[forward ? i : k];
-        const GridPoint& b = mesh.points[forward ? k : i];
-        const std::array<std::int64_t, 3> d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        const std::int64_t longest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
-        const std::int64_t steps = (longest + spacing - 1) / spacing;
-        for (std::int64_t s = 1; s < steps; ++s) {
-            GridPoint p;
-            for (std::size_t x = 0; x < 3; ++x) {
-                p[x] = a[x] + static_cast<std::int32_t>(d[x] * s / steps);
-            }
-            visit(mesh.voxel_of(p));
-        }
+    std::vector<std::uint8_t> seen(mesh.points.size(), 0);
+    const auto point = [&](std::uint32_t i) {
+        if (seen[i] == 0) visit(mesh.voxel_of(mesh.points[i]));
+        seen[i] = 1;
     };
-    const auto is_long = [&](std::uint32_t i, std::uint32_t k) {
+    const auto edge = [&](std::uint32_t i, std::uint32_t k) {
         const GridPoint& a = mesh.points[i];
         const GridPoint& b = mesh.points[k];
-        return std::abs(a[0] - b[0]) > spacing || std::abs(a[1] - b[1]) > spacing ||
-               std::abs(a[2] - b[2]) > spacing;
+        std::int32_t longest = 0;
+        for (std::size_t x = 0; x < 3; ++x) longest = std::max(longest, std::abs(a[x] - b[x]));
+        // The other triangle at a long edge runs along it the other way.
+        if (longest <= spacing || (mesh.closed && i > k && longest > kLongEdge)) return;
+        for_each_between(mesh, i, k, spacing, visit);
     };
     for (const std::uint32_t index : triangles) {
         const GridMesh::Triangle& t = mesh.triangles[index];
         for (std::size_t x = 0; x < 3; ++x) {
-            const std::uint32_t i = t[x];
-            visit(mesh.voxel_of(mesh.points[i]));
-            const std::uint32_t k = t[x == 2 ? 0 : x + 1];
-            if (is_long(i, k)) edge(i, k);
+            point(t[x]);
+            edge(t[x], t[x == 2 ? 0 : x + 1]);
         }
     }
     for (const auto& s : mesh.collapsed) {
-        visit(mesh.voxel_of(mesh.points[s[0]]));
-        visit(mesh.voxel_of(mesh.points[s[1]]));
-        if (is_long(s[0], s[1])) edge(s[0], s[1]);
+        point(s[0]);
+        point(s[1]);
+        edge(s[0], s[1]);
     }
 }
 
@@ -102,7 +122,7 @@ std::size_t peel(std::vector<Vec3i> candidates, BitVolume& volume) {
 }  // namespace
 
 std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
-                           const ThinPlaces& places, BitVolume& volume) {
+                           const std::vector<std::uint32_t>& places, BitVolume& volume) {
     std::vector<Vec3i> added;
     for (const Vec3i& v : thin) {
         if (!volume.test(v)) added.push_back(v);
@@ -111,12 +131,15 @@ std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
     // a web between the few voxels that their inside had hit: a third of a tilted plate was left.
     std::vector<Vec3i> candidates;
     for (const Vec3i& v : added) {
-        if (is_near(places.thick, v)) candidates.push_back(v);
+        if (is_near_thick_part(volume, v)) candidates.push_back(v);
     }
     for (const Vec3i& v : added) volume.set(v);
     std::vector<Vec3i> lost;
-    for_each_edge_voxel(mesh, places.triangles, kGridOne, [&](const Vec3i& v) {
-        if (!is_near(volume, v)) lost.push_back(v);
+    // Growing the volume costs as much as looking around at two places for every 64 voxels.
+    const bool grow = 32 * places.size() > volume.words().size();
+    const BitVolume grown = grow ? dilate(volume) : BitVolume();
+    for_each_edge_voxel(mesh, places, kGridOne, [&](const Vec3i& v) {
+        if (grow ? !grown.test(v) : !is_near(volume, v)) lost.push_back(v);
     });
     if (!lost.empty()) {
         // Lines through the lost places, up to where they touch something.
@@ -124,7 +147,7 @@ std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
         for (const Vec3i& v : lost) around.set(v);
         around = dilate(around);
         std::vector<Vec3i> drawn;
-        for_each_edge_voxel(mesh, places.triangles, kGridHalf, [&](const Vec3i& v) {
+        for_each_edge_voxel(mesh, places, kGridHalf, [&](const Vec3i& v) {
             if (around.test(v) && !volume.test(v)) drawn.push_back(v);
         });
         for (const Vec3i& v : drawn) {

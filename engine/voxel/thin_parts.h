@@ -5,7 +5,6 @@
 
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/grid_mesh.h"
-#include "engine/voxel/thin_lines.h"
 
 namespace ossuary {
 
@@ -20,8 +19,8 @@ namespace ossuary {
 /// added.
 /// @param thin   voxels in which a line along an axis passes through the surface and misses the
 ///               centre (add_missed, add_crossed), in any order, also repeatedly
-/// @param places where to look for lost edges, found on the volume
+/// @param places triangles along whose edges to look for lost ones: find_thin_places
 std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
-                           const ThinPlaces& places, BitVolume& volume);
+                           const std::vector<std::uint32_t>& places, BitVolume& volume);
 
 }  // namespace ossuary

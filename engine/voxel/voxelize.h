@@ -15,6 +15,9 @@ struct VoxelizeOptions {
     /// in this pose, which is a mirrored one where the determinant is -1. The bounding box is that
     /// of the pose.
     Mat3 rotation = Mat3::Identity();
+    /// Keep parts thinner than a voxel as sheets and lines of one voxel; else the solid is what
+    /// sampling at voxel centres gives.
+    bool keep_thin_parts = true;
     bool fill_cavities = true;  ///< set what cannot be reached from outside through faces
     /// Close tunnels that are at most about two voxels wide, unless the model is one closed surface
     /// of at least as many handles: what voxelization makes of parts that nearly touch.
@@ -22,7 +25,7 @@ struct VoxelizeOptions {
     /// Join components that are at most this many empty voxels apart by a line of voxels; 0 to 4.
     int bridge_gap = 2;
     /// Components that could not be joined and whose longest side is below this share of the
-    /// largest component's are dropped.
+    /// largest component's are dropped; 0 keeps all.
     double min_component_extent = 0.1;
 };
 
@@ -46,8 +49,8 @@ struct VoxelSolid {
 /// each of them faces; positions are exact to 2^-18 voxels. Open parts and polygon soups are filled
 /// where the parities of lines in thirteen directions agree (Nooruddin & Turk, "Simplification and
 /// repair of polygonal models using volumetric techniques", 2003, sec. 4.1; lines with an odd
-/// number of crossings have met a hole and do not vote). Parts thinner than a voxel are kept as
-/// sheets and lines of one voxel, without adding anything where the inside shows already.
+/// number of crossings have met a hole and do not vote). Parts thinner than a voxel are kept
+/// without adding anything where the inside shows already.
 ///
 /// The result does not depend on the order of vertices, triangles or corners, nor on translation or
 /// uniform scale as far as the coordinates represent them exactly.

@@ -17,7 +17,7 @@ using namespace ossuary;
 
 constexpr const char* kUsage =
     "usage: ossuary_peer_ours voxelize RESOLUTION RUNS FOLDER MODEL.off…   solids as "
-    "FOLDER/NAME.npy\n"
+    "FOLDER/NAME.npy, and sampled at voxel centres only as FOLDER/NAME-sampled.npy\n"
     "       ossuary_peer_ours skeletonize RUNS MODEL.off…                  mesh to refined "
     "skeleton\n"
     "RUNS runs of each model after one that warms up; runs_processor_ms has them all but that "
@@ -38,27 +38,39 @@ std::vector<double> time_runs(int runs, Work&& work) {
 
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
+/// Adds to `document` the solid of a mesh, written to `out`, and the times that it took.
+VoxelSolid time_voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options, int runs,
+                         const std::string& out, nlohmann::json& document) {
+    Result<VoxelSolid> solid = voxelize(mesh, options);
+    if (!solid) throw std::runtime_error(solid.error().message);
+    document["runs_processor_ms"] = time_runs(runs, [&] { solid = voxelize(mesh, options); });
+    if (const auto written = write_npy(solid->volume, out); !written) {
+        throw std::runtime_error(written.error().message);
+    }
+    document["solid"] = out;
+    return std::move(*solid);
+}
+
 nlohmann::json voxelize_one(const std::string& path, int resolution, int runs,
                             const std::string& folder) {
     const Result<ReadMeshResult> read = read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
     VoxelizeOptions options;
     options.resolution = resolution;
-    Result<VoxelSolid> solid = voxelize(read->mesh, options);
-    if (!solid) throw std::runtime_error(solid.error().message);
-    const auto runs_processor_ms = time_runs(runs, [&] { solid = voxelize(read->mesh, options); });
-    const std::string out = folder + "/" + stem_of(path) + ".npy";
-    if (const auto written = write_npy(solid->volume, out); !written) {
-        throw std::runtime_error(written.error().message);
-    }
-    const WorldFromGrid& grid = solid->world_from_grid;
-    return {{"model", stem_of(path)},
-            {"solid", out},
-            {"voxels", solid->volume.count()},
-            {"method", solid->method},
-            {"origin", {grid.origin.x(), grid.origin.y(), grid.origin.z()}},
-            {"voxel_size", grid.voxel_size},
-            {"runs_processor_ms", runs_processor_ms}};
+    nlohmann::json document = {{"model", stem_of(path)}};
+    const std::string out = folder + "/" + stem_of(path);
+    const VoxelSolid solid = time_voxelize(read->mesh, options, runs, out + ".npy", document);
+    // What a rasteriser does that knows of no thin parts, cavities, components and tunnels.
+    options.keep_thin_parts = options.fill_cavities = options.close_small_tunnels = false;
+    options.bridge_gap = 0;
+    options.min_component_extent = 0;
+    time_voxelize(read->mesh, options, runs, out + "-sampled.npy", document["sampled"]);
+    const WorldFromGrid& grid = solid.world_from_grid;
+    document["voxels"] = solid.volume.count();
+    document["method"] = solid.method;
+    document["origin"] = {grid.origin.x(), grid.origin.y(), grid.origin.z()};
+    document["voxel_size"] = grid.voxel_size;
+    return document;
 }
 
 nlohmann::json skeletonize_one(const std::string& path, int runs) {

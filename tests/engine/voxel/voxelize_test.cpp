@@ -276,6 +276,48 @@ TEST(Voxelize, KeepsATiltedPlateWhole) {
     }
 }
 
+TEST(Voxelize, SamplesAtCentresOnlyWhenAsked) {
+    const TriangleMesh mesh = test::merged(test::icosphere_mesh({0, 0, 0}, 1),
+                                           test::capsule_mesh({0.9, 0, 0}, {3, 0.5, 1}, 0.002, 8));
+    VoxelizeOptions sampling = {.resolution = 64};
+    sampling.keep_thin_parts = sampling.fill_cavities = sampling.close_small_tunnels = false;
+    sampling.bridge_gap = 0;
+    sampling.min_component_extent = 0;
+    const VoxelSolid solid = solid_of(mesh, sampling);
+    EXPECT_EQ(warned(solid, "thin_parts"), 0u);
+    std::size_t inside = 0;
+    for (int z = 0; z < solid.volume.size().z(); ++z) {
+        for (int y = 0; y < solid.volume.size().y(); ++y) {
+            for (int x = 0; x < solid.volume.size().x(); ++x) {
+                const Vec3 centre = solid.world_from_grid.point(Vec3(x + 0.5, y + 0.5, z + 0.5));
+                if (centre.norm() < 0.99 && !solid.volume.test(x, y, z)) ADD_FAILURE() << centre;
+                if (solid.volume.test(x, y, z) && centre.norm() < 1) ++inside;
+            }
+        }
+    }
+    EXPECT_GT(inside, solid.volume.count() - 40);
+    const TriangleMesh sheet =
+        test::transformed(test::box_mesh({0, 0, 0}, {4, 3, 1e-7}), test::random_rotation(1));
+    const auto nothing = voxelize(sheet, sampling);
+    ASSERT_FALSE(nothing.ok());
+    EXPECT_EQ(nothing.error().code, ErrorCode::kSolidEmpty);
+}
+
+TEST(Voxelize, TakesAClosedMeshAsItComes) {
+    // Two boxes that share the place of an edge but no vertex, one inside out: to weld them would
+    // make one part of winding numbers 1 and -1.
+    const TriangleMesh two = test::merged(test::box_mesh({0, 0, 0}, {1, 1, 1}),
+                                          test::flipped(test::box_mesh({1, 1, 0}, {2, 2, 1})));
+    EXPECT_EQ(solid_of(two, {.resolution = 32}).volume.count(), 2u * 16 * 16 * 16);
+    // A box twice over, face by face: repeated triangles are told and left out.
+    TriangleMesh twice = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const auto triangles = twice.triangles;
+    for (const auto& [a, b, c] : triangles) twice.triangles.push_back({a, c, b});
+    const VoxelSolid solid = solid_of(twice, {.resolution = 32});
+    EXPECT_EQ(solid.volume.count(), 32u * 32 * 32);
+    EXPECT_EQ(warned(solid, "repeated_triangles"), triangles.size());
+}
+
 TEST(Voxelize, KeepsWiresAndAntennae) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const TriangleMesh mesh =
