@@ -21,20 +21,13 @@ namespace ossuary {
 class CrossingFinder {
 public:
     CrossingFinder(const GridMesh& mesh, const LineDirection& direction)
-        : mesh_(mesh), project_(direction), only_(direction.only) {
-        bounds_.reserve(mesh.points.size());
-        for (const GridPoint& point : mesh.points) {
-            const LinePoint p = project_(point);
-            bounds_.push_back(Bounds{static_cast<std::int16_t>(project_.lattice_u.at_or_after(p.u)),
-                                     static_cast<std::int16_t>(-project_.lattice_u.at_or_before(p.u)),
-                                     static_cast<std::int16_t>(project_.lattice_v.at_or_after(p.v)),
-                                     static_cast<std::int16_t>(-project_.lattice_v.at_or_before(p.v))});
-        }
-    }
+        : mesh_(mesh), project_(direction), only_(direction.only) {}
 
     /// Calls visit(u, v, depth, triangle, entering) for each crossing.
     template <typename Visit>
     void find(std::span<const std::uint32_t> triangles, Visit&& visit) {
+        // A few triangles work theirs out as they come.
+        if (triangles.size() > mesh_.points.size() / 2) bound_points();
         while (!triangles.empty()) {
             const std::size_t count = std::min(triangles.size(), kChunk);
             const std::size_t boxes = take_boxes(triangles.first(count));
@@ -92,12 +85,28 @@ private:
         return {p, project_.lattice_u.position(line.u), project_.lattice_v.position(line.v)};
     }
 
+    [[nodiscard]] Bounds bounds_at(const GridPoint& point) const {
+        const LinePoint p = project_(point);
+        return Bounds{static_cast<std::int16_t>(project_.lattice_u.at_or_after(p.u)),
+                      static_cast<std::int16_t>(-project_.lattice_u.at_or_before(p.u)),
+                      static_cast<std::int16_t>(project_.lattice_v.at_or_after(p.v)),
+                      static_cast<std::int16_t>(-project_.lattice_v.at_or_before(p.v))};
+    }
+    void bound_points() {
+        bounds_.clear();
+        bounds_.reserve(mesh_.points.size());
+        for (const GridPoint& point : mesh_.points) bounds_.push_back(bounds_at(point));
+    }
+    [[nodiscard]] Bounds bounds_of(std::uint32_t point) const {
+        return bounds_.empty() ? bounds_at(mesh_.points[point]) : bounds_[point];
+    }
+
     /// The triangles that lines may cross; most of a fine mesh lie between the lines.
     std::size_t take_boxes(std::span<const std::uint32_t> triangles) {
         std::size_t count = 0;
         for (const std::uint32_t t : triangles) {
             const auto [i, j, k] = mesh_.triangles[t];
-            const Bounds a = bounds_[i], b = bounds_[j], c = bounds_[k];
+            const Bounds a = bounds_of(i), b = bounds_of(j), c = bounds_of(k);
             const Bounds ab = a < b ? a : b;
             const Bounds least = ab < c ? ab : c;
             boxes_[count].bounds = least;
@@ -146,7 +155,7 @@ private:
     const GridMesh& mesh_;
     LineProjection project_;
     const BitVolume* only_;
-    std::vector<Bounds> bounds_;  ///< of each point
+    std::vector<Bounds> bounds_;  ///< of each point, or empty
     std::array<Boxed, kChunk + 1> boxes_;
     std::array<Line, 4 * kChunk + 4> lines_;
 };

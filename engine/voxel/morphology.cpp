@@ -75,15 +75,16 @@ BitVolume erode(const BitVolume& volume) {
 }
 
 bool is_near_thick_part(const BitVolume& volume, const Vec3i& v) {
-    const auto word = static_cast<std::size_t>((v.x() - 2) >> 6);
     const int bit = (v.x() - 2) & 63;
+    const std::size_t row_words = volume.words_per_row();
+    const std::size_t slice_words = row_words * static_cast<std::size_t>(volume.size().y());
+    const std::uint64_t* const first = volume.row(v.y() - 2, v.z() - 2).data() + ((v.x() - 2) >> 6);
     // Bit i of pairs[z][y]: the voxels x - 2 + i and the next one of the row are set.
     std::array<std::array<std::uint64_t, 5>, 5> pairs;
     const auto look_at_row = [&](std::size_t y, std::size_t z) {
-        const auto row =
-            volume.row(v.y() - 2 + static_cast<int>(y), v.z() - 2 + static_cast<int>(z));
-        std::uint64_t five = row[word] >> bit;
-        if (bit > 59) five |= row[word + 1] << (64 - bit);
+        const std::uint64_t* const words = first + y * row_words + z * slice_words;
+        std::uint64_t five = words[0] >> bit;
+        if (bit > 59) five |= words[1] << (64 - bit);
         pairs[z][y] = five & (five >> 1) & 15;
     };
     const auto any_block = [&](std::size_t begin, std::size_t end) {

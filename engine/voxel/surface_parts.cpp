@@ -44,6 +44,10 @@ Grouping group_by_points(const GridMesh& mesh, std::span<const std::uint32_t> tr
         sets.unite(a, c);
     }
     const std::vector<std::uint32_t> set_of = sets.representatives();
+    const auto is_first = [](std::uint32_t set) { return set == 0; };
+    if (!triangles.empty() && std::all_of(set_of.begin(), set_of.end(), is_first)) {
+        return {std::vector<std::uint32_t>(triangles.size(), 0), 1};
+    }
     constexpr std::uint32_t kNone = 0xFFFFFFFFu;
     std::vector<std::uint32_t> number(mesh.points.size(), kNone);
     Grouping result;
