@@ -70,8 +70,8 @@ inline std::int64_t side_of(const LinePoint& a, const LinePoint& b, std::int32_t
 }
 
 /// Rounded up, but for a thousandth of a unit, so that what the arithmetic adds to a depth, which
-/// depends on the order of the corners, does not push it past a voxel's centre. (Positive: std::ceil
-/// is a call.)
+/// depends on the order of the corners, does not push it past a voxel's centre. (Positive:
+/// std::ceil is a call.)
 inline std::int32_t round_depth(double depth) {
     constexpr double kSlack = 1.0 / 1024;
     return static_cast<std::int32_t>(depth + (1.0 - kSlack));
@@ -100,10 +100,9 @@ public:
     [[nodiscard]] bool enters() const { return area_ < 0; }
     /// @pre crosses()
     [[nodiscard]] std::int32_t depth(const LineCorners& p) const {
-        return round_depth(p.a.depth +
-                           (static_cast<double>(weight_b_) * (p.b.depth - p.a.depth) +
-                            static_cast<double>(weight_c_) * (p.c.depth - p.a.depth)) /
-                               static_cast<double>(area_));
+        return round_depth(p.a.depth + (static_cast<double>(weight_b_) * (p.b.depth - p.a.depth) +
+                                        static_cast<double>(weight_c_) * (p.c.depth - p.a.depth)) /
+                                           static_cast<double>(area_));
     }
 
 private:

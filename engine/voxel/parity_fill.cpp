@@ -135,8 +135,8 @@ LinesPast fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> cl
     for (int v = mesh.low.z(); v < mesh.high.z(); ++v) {
         const auto plane = flips.plane(static_cast<std::size_t>(v));
         if (plane.empty()) continue;
-        const auto rows = volume.words().subspan(words * lines * static_cast<std::size_t>(v),
-                                                 words * lines);
+        const auto rows =
+            volume.words().subspan(words * lines * static_cast<std::size_t>(v), words * lines);
         std::fill(entering.begin(), entering.end(), 0);
         std::size_t first = lines, last = 0;
         for (const Flip& flip : plane) {

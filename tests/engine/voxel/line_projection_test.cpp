@@ -64,8 +64,8 @@ TEST(CrossingFinder, FindsWhatEachLineSaysOfEachTriangle) {
                     if (!place.crosses()) continue;
                     expected[{static_cast<std::int32_t>(t), u, v}] = {place.depth(p),
                                                                       place.enters()};
-                    const double depth = depth_of(p, project.lattice_u.position(u),
-                                                  project.lattice_v.position(v));
+                    const double depth =
+                        depth_of(p, project.lattice_u.position(u), project.lattice_v.position(v));
                     EXPECT_NEAR(place.depth(p), depth + 0.5, 0.6);
                 }
             }

@@ -24,7 +24,8 @@ TEST(Morphology, NearAThickPartIsWithinAStepOfABlock) {
                 for (int x = 2; x < 129; ++x) {
                     bool expected = false;
                     for (int i = 0; i < 64; ++i) {
-                        const Vec3i block(x - 2 + (i & 3), y - 2 + ((i >> 2) & 3), z - 2 + (i >> 4));
+                        const Vec3i block(x - 2 + (i & 3), y - 2 + ((i >> 2) & 3),
+                                          z - 2 + (i >> 4));
                         expected = expected || is_block(volume, block);
                     }
                     ASSERT_EQ(is_near_thick_part(volume, {x, y, z}), expected);
