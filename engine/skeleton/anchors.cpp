@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "engine/skeleton/component_centres.h"
+#include "engine/skeleton/finer_paths.h"
 #include "engine/skeleton/padded_distance.h"
 #include "engine/skeleton/shortest_paths.h"
 #include "engine/skeleton/simple_point.h"
-#include "engine/skeleton/tip_search.h"
 
 namespace ossuary {
 namespace {
@@ -54,17 +54,16 @@ public:
               corridor, [](VoxelIndex) { return k26Neighbors; },
               [&](VoxelIndex v) { return depth.squared(v); }, centres)) {}
 
-    /// The voxel of a block with the longest way to its centre; none where no way is known.
-    [[nodiscard]] std::optional<VoxelIndex> farthest_of(const BlockGrid& blocks, VoxelIndex block,
-                                                        const BitVolume& solid,
-                                                        const PaddedShape& shape) const {
+    /// The voxel of a block with the longest way to its centre. @pre there is a way
+    [[nodiscard]] VoxelIndex farthest_of(const BlockGrid& blocks, VoxelIndex block,
+                                         const BitVolume& solid, const PaddedShape& shape) const {
         std::optional<VoxelIndex> farthest;
         blocks.for_each_voxel_of(solid, block, [&](const Vec3i& position) {
             const VoxelIndex v = shape.index(position);
             if (paths_.cost(v) == kUnreached) return;
             if (!farthest || paths_.cost(v) > paths_.cost(*farthest)) farthest = v;
         });
-        return farthest;
+        return farthest.value();
     }
 
     /// From the first voxel next to the tree out to the tip, without detours: of the next steps the
@@ -134,7 +133,7 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
                      const ThinningOptions& options) {
     const PaddedShape shape(solid.size());
     Anchors anchors{ThinningGrid(shape), 0, true};
-    const BlockGrid blocks(solid, distance, block_edge_for(solid));
+    BlockGrid blocks(solid, distance, block_edge_for(solid));
     std::vector<VoxelIndex> centres;
     std::vector<VoxelIndex> centre_blocks;
     for (const ComponentCentre& centre : component_centres(solid, distance)) {
@@ -147,24 +146,18 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
 
     const double coverage =
         std::max(options.coverage_voxels, options.coverage_share * solid.size().maxCoeff());
-    const Tips tips = find_tips(blocks, centre_blocks, coverage, options);
-    std::vector<VoxelIndex> ends;
+    Tips tips = find_tips(blocks, centre_blocks, coverage, options);
+    PathsInBlocks paths{std::move(blocks), std::move(tips)};
+    while (paths.blocks.edge() > 2) paths = finer_paths(paths, solid, distance, centres);
+
     const PaddedDistance depth(distance, shape);
-    const auto reach_tips_through = [&](const ThinningGrid& corridor) {
-        std::optional<PathLayer> layer(std::in_place, corridor, depth, centres);
-        ends.clear();
-        for (const VoxelIndex block : tips.blocks) {
-            const auto end = layer->farthest_of(blocks, block, solid, shape);
-            if (!end) return std::optional<PathLayer>();
-            ends.push_back(*end);
-        }
-        return layer;
-    };
-    auto layer = reach_tips_through(corridor_along(tips.tree, blocks, solid));
-    // Blocks above edge 2 may have joined what the solid does not: then the corridor is the solid.
-    if (!layer) layer = reach_tips_through(ThinningGrid(solid));
+    const PathLayer layer(corridor_along(paths.tips.tree, paths.blocks, solid), depth, centres);
+    std::vector<VoxelIndex> ends;
+    for (const VoxelIndex block : paths.tips.blocks) {
+        ends.push_back(layer.farthest_of(paths.blocks, block, solid, shape));
+    }
     for (const VoxelIndex end : ends) {
-        add_path(layer->path_from(end, anchors.voxels), solid, anchors);
+        add_path(layer.path_from(end, anchors.voxels), solid, anchors);
     }
     return anchors;
 }

@@ -1,6 +1,7 @@
 #include "engine/skeleton/block_grid.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ossuary {
 namespace {
@@ -59,17 +60,34 @@ constexpr std::array<Neighborhood, 512> kProducts = [] {
 BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge)
     : edge_(edge),
       occupied_(occupied_blocks(solid, edge)),
-      links_(occupied_, 0),
-      squared_(occupied_, 0) {
-    VoxelMap<Neighborhood> reached(occupied_, 0);
+      layout_(occupied_),
+      links_(layout_.count(), 0),
+      squared_(layout_.count(), 0) {
+    std::vector<Neighborhood> reached(layout_.count(), 0);
     for (int z = 0; z < solid.size().z(); ++z) {
         for (int y = 0; y < solid.size().y(); ++y) add_row(solid, distance, y, z, reached);
     }
     link(reached);
 }
 
+BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge,
+                     ThinningGrid candidates)
+    : edge_(edge),
+      occupied_(std::move(candidates)),
+      layout_(occupied_),
+      links_(layout_.count(), 0),
+      squared_(layout_.count(), 0) {
+    std::vector<Neighborhood> reached(layout_.count(), 0);
+    occupied_.for_each([&](VoxelIndex block) {
+        const Neighborhood beyond = add_block(solid, distance, block);
+        if (beyond == 0) occupied_.reset(block);
+        reached[layout_.place(block)] = beyond;
+    });
+    link(reached);
+}
+
 void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
-                        VoxelMap<Neighborhood>& reached) {
+                        std::vector<Neighborhood>& reached) {
     // Edges are powers of two: shifts and masks in place of divisions.
     const int shift = std::countr_zero(static_cast<unsigned>(edge_));
     const int inside = edge_ - 1;
@@ -77,7 +95,7 @@ void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, i
     const std::uint32_t* depths = distance.squared_row(y, z);
     const VoxelIndex row = shape().index(0, y >> shift, z >> shift);
     for_each_run(solid.row(y, z), solid.size().x(), false, [&](int begin, int end) {
-        VoxelIndex block = row + static_cast<VoxelIndex>(begin >> shift);
+        std::size_t block = layout_.place(row + static_cast<VoxelIndex>(begin >> shift));
         for (int x = begin; x < end; ++block) {
             const int block_end = std::min(end, ((x >> shift) + 1) << shift);
             const unsigned along =
@@ -90,15 +108,41 @@ void BlockGrid::add_row(const BitVolume& solid, const DistanceField& distance, i
     });
 }
 
-void BlockGrid::link(const VoxelMap<Neighborhood>& reached) {
+Neighborhood BlockGrid::add_block(const BitVolume& solid, const DistanceField& distance,
+                                  VoxelIndex block) {
+    const Vec3i first = shape().position(block) * edge_;
+    const int last = edge_ - 1;
+    Neighborhood beyond = 0;
+    std::uint32_t deepest = 0;
+    for (int k = 0; k < edge_ && first.z() + k < solid.size().z(); ++k) {
+        for (int j = 0; j < edge_ && first.y() + j < solid.size().y(); ++j) {
+            const int y = first.y() + j;
+            const int z = first.z() + k;
+            std::uint64_t bits = bits_of_row(solid, first.x(), y, z);
+            if (bits == 0) continue;
+            const unsigned along = 2u | static_cast<unsigned>(bits & 1u) |
+                                   static_cast<unsigned>(bits >> last & 1u) << 2;
+            beyond |= kProducts[along | reach_of(j, edge_) << 3 | reach_of(k, edge_) << 6];
+            const std::uint32_t* depths = distance.squared_row(y, z) + first.x();
+            for (; bits != 0; bits &= bits - 1) {
+                deepest = std::max(deepest, depths[std::countr_zero(bits)]);
+            }
+        }
+    }
+    squared_[layout_.place(block)] = deepest;
+    return beyond | (deepest > 0 ? kCentre : 0);
+}
+
+void BlockGrid::link(const std::vector<Neighborhood>& reached) {
     const auto steps = shape().neighbor_steps();
     occupied_.for_each([&](VoxelIndex block) {
+        const std::size_t place = layout_.place(block);
         Neighborhood linked = 0;
-        for_each_bit(occupied_.neighborhood(block) & reached[block], [&](int bit) {
+        for_each_bit(occupied_.neighborhood(block) & reached[place] & k26Neighbors, [&](int bit) {
             const VoxelIndex other = moved(block, steps[static_cast<std::size_t>(bit)]);
-            linked |= (reached[other] >> opposite_bit(bit) & 1u) << bit;
+            linked |= (reached[layout_.place(other)] >> opposite_bit(bit) & 1u) << bit;
         });
-        links_[block] = linked;
+        links_[place] = linked;
     });
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/skeleton/thinning_grid.h"
-#include "engine/skeleton/voxel_map.h"
+#include "engine/skeleton/row_layout.h"
 #include "engine/voxel/distance_transform.h"
 
 namespace ossuary {
@@ -15,14 +14,27 @@ class BlockGrid {
 public:
     /// @param edge  1, 2, 4 or 8 voxels
     BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge);
+    /// Only of the blocks among `candidates`, as if the solid had no voxels elsewhere: the cost
+    /// follows their number.
+    BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge,
+              ThinningGrid candidates);
+
+    /// Of the grid of all blocks.
+    static PaddedShape shape_of(const BitVolume& solid, int edge) {
+        return PaddedShape((solid.size().array() + (edge - 1)) / edge);
+    }
 
     [[nodiscard]] int edge() const { return edge_; }
     [[nodiscard]] const PaddedShape& shape() const { return occupied_.shape(); }
     [[nodiscard]] const ThinningGrid& occupied() const { return occupied_; }
     /// The linked neighbours of an occupied block.
-    [[nodiscard]] Neighborhood links(VoxelIndex block) const { return links_[block]; }
+    [[nodiscard]] Neighborhood links(VoxelIndex block) const {
+        return links_[layout_.place(block)];
+    }
     /// Of the block's deepest voxel, squared, in voxels.
-    [[nodiscard]] std::uint32_t squared_radius(VoxelIndex block) const { return squared_[block]; }
+    [[nodiscard]] std::uint32_t squared_radius(VoxelIndex block) const {
+        return squared_[layout_.place(block)];
+    }
 
     [[nodiscard]] VoxelIndex block_of(const Vec3i& voxel) const {
         return shape().index(voxel / edge_);
@@ -48,14 +60,18 @@ private:
         const auto column = static_cast<std::size_t>(x);
         return solid.row(y, z)[column / 64] >> column % 64 & ((std::uint64_t{1} << edge_) - 1);
     }
+    /// @param reached  by place: the directions in which voxels of a block touch the next one
     void add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
-                 VoxelMap<Neighborhood>& reached);
-    void link(const VoxelMap<Neighborhood>& reached);
+                 std::vector<Neighborhood>& reached);
+    /// What a block's voxels reach beyond it; nothing where it has none.
+    Neighborhood add_block(const BitVolume& solid, const DistanceField& distance, VoxelIndex block);
+    void link(const std::vector<Neighborhood>& reached);
 
     int edge_;
     ThinningGrid occupied_;
-    VoxelMap<Neighborhood> links_;
-    VoxelMap<std::uint32_t> squared_;
+    RowLayout layout_;
+    std::vector<Neighborhood> links_;  ///< by place, as the next
+    std::vector<std::uint32_t> squared_;
 };
 
 }  // namespace ossuary

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/skeleton/tip_search.h"
+
+namespace ossuary {
+
+/// Tips and the tree of their paths in blocks of one edge.
+struct PathsInBlocks {
+    BlockGrid blocks;
+    Tips tips;
+};
+
+/// The same tips in blocks of half the edge, with paths along the coarse ones: each tip in the part
+/// of its block that is farthest from the centre. Where the coarse tree joins what the solid does
+/// not, paths are looked for in the whole solid.
+/// @param centres  voxels, in PaddedShape(solid.size())
+/// @pre the edge is even
+PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
+                          const DistanceField& distance, const std::vector<VoxelIndex>& centres);
+
+}  // namespace ossuary
