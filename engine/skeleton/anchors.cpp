@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/skeleton/component_centres.h"
+#include "engine/skeleton/corridor.h"
 #include "engine/skeleton/finer_paths.h"
 #include "engine/skeleton/padded_distance.h"
 #include "engine/skeleton/shortest_paths.h"
@@ -22,26 +23,6 @@ int block_edge_for(const BitVolume& solid) {
     int edge = 1;
     while (edge < 8 && solid.size().maxCoeff() > edge * kLongestSideInBlocks) edge *= 2;
     return edge;
-}
-
-/// The solid's voxels in the tree's blocks and one voxel around them: the tree's blocks hold the
-/// deepest voxels nearby, so that the middle of the solid is not far outside.
-ThinningGrid corridor_along(const ThinningGrid& tree, const BlockGrid& blocks,
-                            const BitVolume& solid) {
-    ThinningGrid corridor{PaddedShape(solid.size())};
-    tree.for_each([&](VoxelIndex b) {
-        const Vec3i first = blocks.shape().position(b) * blocks.edge();
-        const Vec3i begin = (first.array() - 1).max(0);
-        const Vec3i end = (first.array() + blocks.edge() + 1).min(solid.size().array());
-        for (int z = begin.z(); z < end.z(); ++z) {
-            for (int y = begin.y(); y < end.y(); ++y) {
-                for (int x = begin.x(); x < end.x(); ++x) {
-                    if (solid.test(x, y, z)) corridor.set(corridor.shape().index(x, y, z));
-                }
-            }
-        }
-    });
-    return corridor;
 }
 
 /// The paths of the tips, voxel by voxel.
@@ -151,7 +132,7 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
     while (paths.blocks.edge() > 2) paths = finer_paths(paths, solid, distance, centres);
 
     const PaddedDistance depth(distance, shape);
-    const PathLayer layer(corridor_along(paths.tips.tree, paths.blocks, solid), depth, centres);
+    const PathLayer layer(corridor_along(paths, solid, distance), depth, centres);
     std::vector<VoxelIndex> ends;
     for (const VoxelIndex block : paths.tips.blocks) {
         ends.push_back(layer.farthest_of(paths.blocks, block, solid, shape));

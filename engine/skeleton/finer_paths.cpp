@@ -9,24 +9,20 @@
 namespace ossuary {
 namespace {
 
-/// The blocks of half the edge in those of the tree, and one around: the tree's blocks hold the
-/// deepest voxels nearby, so that the middle of the solid is not far outside.
-ThinningGrid corridor_around(const ThinningGrid& tree, const PaddedShape& finer) {
-    ThinningGrid corridor(finer);
+/// The blocks of half the edge that the tree's consist of. (With one more around them six times as
+/// many are looked at for paths .5 % cheaper at 128 voxels.)
+ThinningGrid parts_of(const ThinningGrid& tree, const PaddedShape& finer) {
+    ThinningGrid parts(finer);
     tree.for_each([&](VoxelIndex block) {
         const Vec3i first = tree.shape().position(block) * 2;
-        const Vec3i begin = (first.array() - 1).max(0);
-        const Vec3i end = (first.array() + 3).min(finer.size().array());
-        for (int z = begin.z(); z < end.z(); ++z) {
-            for (int y = begin.y(); y < end.y(); ++y) {
-                const VoxelIndex row = finer.index(0, y, z);
-                for (int x = begin.x(); x < end.x(); ++x) {
-                    corridor.set(row + static_cast<VoxelIndex>(x));
-                }
+        const Vec3i end = (first.array() + 2).min(finer.size().array());
+        for (int z = first.z(); z < end.z(); ++z) {
+            for (int y = first.y(); y < end.y(); ++y) {
+                for (int x = first.x(); x < end.x(); ++x) parts.set(finer.index(x, y, z));
             }
         }
     });
-    return corridor;
+    return parts;
 }
 
 /// The tips and their paths in finer blocks; none where one of them is not reached.
@@ -67,7 +63,7 @@ PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
     for (const VoxelIndex centre : centres) {
         centre_blocks.push_back(shape.index(voxels.position(centre) / edge));
     }
-    BlockGrid near(solid, distance, edge, corridor_around(coarse.tips.tree, shape));
+    BlockGrid near(solid, distance, edge, parts_of(coarse.tips.tree, shape));
     if (auto tips = tips_in(near, coarse, centre_blocks)) return {std::move(near), *std::move(tips)};
     BlockGrid all(solid, distance, edge);
     // Whatever voxels of the solid are joined, their blocks are linked.
