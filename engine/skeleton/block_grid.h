@@ -60,11 +60,9 @@ private:
         const auto column = static_cast<std::size_t>(x);
         return solid.row(y, z)[column / 64] >> column % 64 & ((std::uint64_t{1} << edge_) - 1);
     }
-    /// @param reached  by place: the directions in which voxels of a block touch the next one
-    void add_row(const BitVolume& solid, const DistanceField& distance, int y, int z,
-                 std::vector<Neighborhood>& reached);
-    /// What a block's voxels reach beyond it; nothing where it has none.
+    /// Measures a block. Returns what its voxels reach, with itself; nothing where it has none.
     Neighborhood add_block(const BitVolume& solid, const DistanceField& distance, VoxelIndex block);
+    /// @param reached  by place
     void link(const std::vector<Neighborhood>& reached);
 
     int edge_;
