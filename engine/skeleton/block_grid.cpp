@@ -127,19 +127,18 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
             row_end = block - static_cast<VoxelIndex>(position.x()) + shape().row();
             reach.clear();
             deepest.assign(static_cast<std::size_t>(shape().size().x() * edge), 0);
-            for_each_row_of(
-                solid, edge, position.y(), position.z(), [&](auto row, int j, int k) {
-                    reach.add(row, j, k);
-                    const int y = position.y() * edge + j;
-                    const int z = position.z() * edge + k;
-                    const DistanceField::Row& stored = distance.row(y, z);
-                    const std::uint32_t* depths = distance.squared_row(y, z);
-                    const int end = std::min(stored.end, solid.size().x());
-                    for (int x = stored.begin; x < end; ++x) {
-                        std::uint32_t& most = deepest[static_cast<std::size_t>(x)];
-                        most = std::max(most, depths[x]);
-                    }
-                });
+            for_each_row_of(solid, edge, position.y(), position.z(), [&](auto row, int j, int k) {
+                reach.add(row, j, k);
+                const int y = position.y() * edge + j;
+                const int z = position.z() * edge + k;
+                const DistanceField::Row& stored = distance.row(y, z);
+                const std::uint32_t* depths = distance.squared_row(y, z);
+                const int end = std::min(stored.end, solid.size().x());
+                for (int x = stored.begin; x < end; ++x) {
+                    std::uint32_t& most = deepest[static_cast<std::size_t>(x)];
+                    most = std::max(most, depths[x]);
+                }
+            });
         }
         const std::size_t first = static_cast<std::size_t>(position.x() * edge);
         const std::size_t place = layout_.place(block);

@@ -27,6 +27,7 @@ public:
     [[nodiscard]] int edge() const { return edge_; }
     [[nodiscard]] const PaddedShape& shape() const { return occupied_.shape(); }
     [[nodiscard]] const ThinningGrid& occupied() const { return occupied_; }
+    [[nodiscard]] const RowLayout& layout() const { return layout_; }
     /// The linked neighbours of an occupied block.
     [[nodiscard]] Neighborhood links(VoxelIndex block) const {
         return links_[layout_.place(block)];

@@ -9,10 +9,7 @@ namespace {
 class Corridor {
 public:
     Corridor(const BlockGrid& blocks, const BitVolume& solid, const DistanceField& distance)
-        : blocks_(blocks),
-          solid_(solid),
-          distance_(distance),
-          voxels_(PaddedShape(solid.size())) {}
+        : blocks_(blocks), solid_(solid), distance_(distance), voxels_(PaddedShape(solid.size())) {}
 
     /// @param least  squared depth of what is taken beside the block
     void add(VoxelIndex block, std::uint32_t least) {
@@ -66,9 +63,8 @@ ThinningGrid corridor_along(const PathsInBlocks& paths, const BitVolume& solid,
     assert(blocks.edge() <= 2);
     Corridor corridor(blocks, solid, distance);
     const auto steps = blocks.shape().neighbor_steps();
-    tree.for_each([&](VoxelIndex block) {
-        corridor.add(block, least_beside(block, tree, blocks, steps));
-    });
+    tree.for_each(
+        [&](VoxelIndex block) { corridor.add(block, least_beside(block, tree, blocks, steps)); });
     return corridor.take();
 }
 

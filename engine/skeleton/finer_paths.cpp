@@ -64,7 +64,8 @@ PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
         centre_blocks.push_back(shape.index(voxels.position(centre) / edge));
     }
     BlockGrid near(solid, distance, edge, parts_of(coarse.tips.tree, shape));
-    if (auto tips = tips_in(near, coarse, centre_blocks)) return {std::move(near), *std::move(tips)};
+    if (auto tips = tips_in(near, coarse, centre_blocks))
+        return {std::move(near), *std::move(tips)};
     BlockGrid all(solid, distance, edge);
     // Whatever voxels of the solid are joined, their blocks are linked.
     Tips tips = tips_in(all, coarse, centre_blocks).value();

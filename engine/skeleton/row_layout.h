@@ -80,4 +80,25 @@ private:
     std::vector<std::int32_t> starts_;  ///< what to add to an offset, by row
 };
 
+/// Where the neighbours of one voxel have their places: nine rows of three in turn.
+class NeighborPlaces {
+public:
+    NeighborPlaces(const RowLayout& layout, VoxelIndex v) {
+        const std::uint32_t row = layout.row_of(v);
+        const std::uint32_t offset = layout.offset_in_row(v, row);
+        for (std::size_t r = 0; r < rows_.size(); ++r) {
+            const auto step = static_cast<std::uint32_t>(layout.row_steps()[r]);
+            rows_[r] = layout.place(offset, row + step) - 1;
+        }
+    }
+
+    /// Of the neighbour at dx = -1 in a row. @param r  0 to 8, in the order of a neighbourhood
+    [[nodiscard]] std::size_t row(std::size_t r) const { return rows_[r]; }
+    [[nodiscard]] std::size_t of(std::size_t bit) const { return rows_[bit / 3] + bit % 3; }
+    [[nodiscard]] std::size_t centre() const { return rows_[4] + 1; }
+
+private:
+    std::array<std::size_t, 9> rows_;
+};
+
 }  // namespace ossuary

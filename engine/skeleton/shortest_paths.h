@@ -1,16 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <vector>
 
 #include "engine/skeleton/bucket_queue.h"
 #include "engine/skeleton/row_layout.h"
-
-#ifdef __SSE__
-#include <xmmintrin.h>
-#endif
+#include "engine/skeleton/row_of_four.h"
 
 namespace ossuary {
 
@@ -47,35 +43,6 @@ private:
     std::vector<std::uint8_t> steps_;  ///< with kFinal once the cost is
 };
 
-namespace detail {
-
-/// Four neighbours along a row, of which the last is one too many.
-using RowOfFour [[gnu::vector_size(16)]] = float;
-
-inline unsigned lanes_below(const RowOfFour& a, const RowOfFour& b) {
-#ifdef __SSE__
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(a, b)));
-#else
-    unsigned lanes = 0;
-    for (unsigned i = 0; i < 4; ++i) lanes |= (a[i] < b[i] ? 1u : 0u) << i;
-    return lanes;
-#endif
-}
-
-inline RowOfFour row_of_four(const float* values) {
-    RowOfFour row;
-    std::memcpy(&row, values, sizeof row);
-    return row;
-}
-
-inline constexpr std::array<std::array<float, 4>, 9> kRowLengths = [] {
-    std::array<std::array<float, 4>, 9> lengths{};
-    for (std::size_t bit = 0; bit < 27; ++bit) lengths[bit / 3][bit % 3] = kNeighborLength[bit];
-    return lengths;
-}();
-
-}  // namespace detail
-
 /// A step costs its length times the mean of 1 / r^2 at its two ends, so that ways keep to the
 /// middle of the solid. Neighbours are looked at a row at a time: most are no improvement.
 /// @param links           v → its neighbours in the set
@@ -108,27 +75,22 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
     }
     while (!queue.empty()) {
         const VoxelIndex v = queue.pop();
-        const std::uint32_t row = layout.row_of(v);
-        const std::uint32_t offset = layout.offset_in_row(v, row);
-        const std::size_t place = layout.place(offset, row);
-        if ((path_steps[place] & ShortestPaths::kFinal) != 0) continue;
-        path_steps[place] |= ShortestPaths::kFinal;
-        const float here = costs[place];
-        const float weight = weights[place];
-        std::array<std::size_t, 9> places;  // of the neighbours at dx = 0
+        const NeighborPlaces around(layout, v);
+        std::uint8_t& own_step = path_steps[around.centre()];
+        if ((own_step & ShortestPaths::kFinal) != 0) continue;
+        own_step |= ShortestPaths::kFinal;
+        const float here = costs[around.centre()];
+        const float weight = weights[around.centre()];
         Neighborhood nearer = 0;
         for (std::size_t r = 0; r < 9; ++r) {
-            places[r] =
-                layout.place(offset, row + static_cast<std::uint32_t>(layout.row_steps()[r]));
-            const std::size_t first = places[r] - 1;
-            const auto there = here + detail::row_of_four(detail::kRowLengths[r].data()) *
-                                          (weight + detail::row_of_four(weights.data() + first));
-            nearer |= (detail::lanes_below(there, detail::row_of_four(costs + first)) & 7u)
-                      << 3 * r;
+            const std::size_t first = around.row(r);
+            const auto there = here + row_of_four(kRowLengths[r].data()) *
+                                          (weight + row_of_four(weights.data() + first));
+            nearer |= (lanes_below(there, row_of_four(costs + first)) & 7u) << 3 * r;
         }
         for_each_bit(nearer & links(v), [&](int bit) {
             const auto b = static_cast<std::size_t>(bit);
-            const std::size_t n = places[b / 3] + b % 3 - 1;
+            const std::size_t n = around.of(b);
             if ((path_steps[n] & ShortestPaths::kFinal) != 0) return;
             const float there = here + kNeighborLength[b] * (weight + weights[n]);
             costs[n] = there;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/skeleton/shortest_paths.h"
-#include "engine/skeleton/voxel_map.h"
 
 namespace ossuary {
 namespace {
@@ -16,9 +15,11 @@ public:
           options_(options),
           enough_(static_cast<float>(coverage / blocks.edge())),
           steps_(blocks.shape().neighbor_steps()),
-          open_(blocks.occupied()),
-          coverage_(blocks.occupied(), kUnreached),
+          layout_(blocks.layout()),
+          coverage_(layout_.count(), -kUnreached),
+          settled_(layout_.count(), 0),
           centres_(centres) {
+        blocks.occupied().for_each([&](VoxelIndex b) { coverage_[layout_.place(b)] = kUnreached; });
         for (const VoxelIndex centre : centres) {
             largest_cover_ = std::max(largest_cover_, radius_cover(centre));
         }
@@ -57,34 +58,41 @@ private:
 
     /// Lowers `coverage_` to what new path blocks give; only what improves is visited.
     void cover_from(const std::vector<VoxelIndex>& sources, BucketQueue& queue) {
-        // Levels of one block, the shortest step; shifted so that none is negative.
+        // Levels of one block, the shortest step: whatever is served is final. Shifted so that none
+        // is negative.
         const float shift = largest_cover_ + 1.0f;
         queue.restart(0);
         for (const VoxelIndex b : sources) {
             const float value = -radius_cover(b);
-            if (value < coverage_[b]) {
-                coverage_[b] = value;
+            float& coverage = coverage_[layout_.place(b)];
+            if (value < coverage) {
+                coverage = value;
                 queue.push(static_cast<std::uint64_t>(value + shift), b);
             }
         }
-        settled_.clear();
+        settled_places_.clear();
         while (!queue.empty()) {
             const VoxelIndex b = queue.pop();
-            if (!open_.test(b)) continue;
-            open_.reset(b);
-            settled_.push_back(b);
-            const float here = coverage_[b];
-            for_each_bit(blocks_.links(b) & open_.neighborhood(b), [&](int bit) {
+            const NeighborPlaces around(layout_, b);
+            if (settled_[around.centre()] != 0) continue;
+            settled_[around.centre()] = 1;
+            settled_places_.push_back(around.centre());
+            const float here = coverage_[around.centre()];
+            Neighborhood nearer = 0;
+            for (std::size_t r = 0; r < 9; ++r) {
+                const float* row = coverage_.data() + around.row(r);
+                nearer |=
+                    (lanes_below(here + row_of_four(kRowLengths[r].data()), row_of_four(row)) & 7u)
+                    << 3 * r;
+            }
+            for_each_bit(nearer & blocks_.links(b), [&](int bit) {
                 const auto i = static_cast<std::size_t>(bit);
-                const VoxelIndex n = moved(b, steps_[i]);
                 const float there = here + kNeighborLength[i];
-                if (there < coverage_[n]) {
-                    coverage_[n] = there;
-                    queue.push(static_cast<std::uint64_t>(there + shift), n);
-                }
+                coverage_[around.of(i)] = there;
+                queue.push(static_cast<std::uint64_t>(there + shift), moved(b, steps_[i]));
             });
         }
-        for (const VoxelIndex b : settled_) open_.set(b);
+        for (const std::size_t place : settled_places_) settled_[place] = 0;
     }
 
     /// Lists the uncovered blocks by their coverage, one list for each block of distance.
@@ -92,7 +100,7 @@ private:
         blocks_.occupied().for_each([&](VoxelIndex b) { file(b); });
     }
     void file(VoxelIndex b) {
-        const float excess = coverage_[b] - enough_;
+        const float excess = coverage_[layout_.place(b)] - enough_;
         if (excess <= 0.0f) return;
         const auto level = static_cast<std::size_t>(excess);
         if (level >= uncovered_.size()) uncovered_.resize(level + 1);
@@ -113,10 +121,12 @@ private:
                 continue;
             }
             VoxelIndex best = left.front();
+            float worst = coverage_[layout_.place(best)];
             for (const VoxelIndex b : left) {
-                if (coverage_[b] > coverage_[best] ||
-                    (coverage_[b] == coverage_[best] && b < best)) {
+                const float coverage = coverage_[layout_.place(b)];
+                if (coverage > worst || (coverage == worst && b < best)) {
                     best = b;
+                    worst = coverage;
                 }
             }
             return {true, best};
@@ -128,11 +138,12 @@ private:
     const ThinningOptions& options_;
     float enough_;  ///< the coverage asked for, in blocks
     std::array<std::int32_t, 27> steps_;
-    ThinningGrid open_;  ///< what the running search may still visit
-    VoxelMap<float> coverage_;
+    const RowLayout& layout_;
+    std::vector<float> coverage_;        ///< by place; nothing is an improvement outside the solid
+    std::vector<std::uint8_t> settled_;  ///< by place: the running search is done with it
+    std::vector<std::size_t> settled_places_;
     const std::vector<VoxelIndex>& centres_;
     std::vector<std::vector<VoxelIndex>> uncovered_;
-    std::vector<VoxelIndex> settled_;
     float largest_cover_ = 0.0f;
 };
 
