@@ -32,6 +32,11 @@ public:
         free_ = kNone;
     }
 
+    /// A level of a real number. (To an unsigned integer it would take a branch.)
+    static std::uint64_t level_of(float value) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+    }
+
     void push(std::uint64_t level, VoxelIndex voxel) {
         level = std::clamp(level, level_, level_ + heads_.size() - 1);
         const std::size_t slot = static_cast<std::size_t>(level) & (heads_.size() - 1);

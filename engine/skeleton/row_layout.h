@@ -15,7 +15,9 @@ namespace ossuary {
 /// and 1 in one row have three places in turn, and one more place follows.
 class RowLayout {
 public:
-    explicit RowLayout(const ThinningGrid& set) : row_(set.shape().row()) {
+    explicit RowLayout(const ThinningGrid& set)
+        : row_(set.shape().row()),
+          reciprocal_(std::numeric_limits<std::uint64_t>::max() / row_ + 1) {
         const std::size_t rows = set.shape().count() / row_;
         rows_in_plane_ = set.shape().plane() / row_;
         for (std::size_t i = 0; i < row_steps_.size(); ++i) {
@@ -57,7 +59,11 @@ public:
     }
 
     [[nodiscard]] std::size_t count() const { return count_; }
-    [[nodiscard]] std::uint32_t row_of(VoxelIndex v) const { return v / row_; }
+    /// v / row, as a product: exact, since v times row is below 2^64.
+    [[nodiscard]] std::uint32_t row_of(VoxelIndex v) const {
+        __extension__ using Product = unsigned __int128;
+        return static_cast<std::uint32_t>(static_cast<Product>(v) * reciprocal_ >> 64);
+    }
     [[nodiscard]] std::uint32_t offset_in_row(VoxelIndex v, std::uint32_t row) const {
         return v - row * row_;
     }
@@ -74,6 +80,7 @@ public:
 
 private:
     std::uint32_t row_;
+    std::uint64_t reciprocal_;  ///< 2^64 / row, rounded up
     std::uint32_t rows_in_plane_ = 0;
     std::array<std::int32_t, 9> row_steps_{};
     std::size_t count_ = 0;

@@ -95,7 +95,7 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
             const float there = here + kNeighborLength[b] * (weight + weights[n]);
             costs[n] = there;
             path_steps[n] = static_cast<std::uint8_t>(opposite_bit(bit));
-            queue.push(static_cast<std::uint64_t>(there * levels_per_cost), moved(v, steps[b]));
+            queue.push(BucketQueue::level_of(there * levels_per_cost), moved(v, steps[b]));
         });
     }
     return paths;

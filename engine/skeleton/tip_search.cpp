@@ -67,7 +67,7 @@ private:
             float& coverage = coverage_[layout_.place(b)];
             if (value < coverage) {
                 coverage = value;
-                queue.push(static_cast<std::uint64_t>(value + shift), b);
+                queue.push(BucketQueue::level_of(value + shift), b);
             }
         }
         settled_places_.clear();
@@ -89,7 +89,7 @@ private:
                 const auto i = static_cast<std::size_t>(bit);
                 const float there = here + kNeighborLength[i];
                 coverage_[around.of(i)] = there;
-                queue.push(static_cast<std::uint64_t>(there + shift), moved(b, steps_[i]));
+                queue.push(BucketQueue::level_of(there + shift), moved(b, steps_[i]));
             });
         }
         for (const std::size_t place : settled_places_) settled_[place] = 0;
