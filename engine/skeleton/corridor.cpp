@@ -1,6 +1,7 @@
 #include "engine/skeleton/corridor.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 namespace ossuary {
@@ -17,16 +18,19 @@ public:
         const Vec3i last = first.array() + (blocks_.edge() - 1);
         const Vec3i begin = (first.array() - 1).max(0);
         const Vec3i end = (last.array() + 2).min(solid_.size().array());
+        const unsigned width = (1u << (end.x() - begin.x())) - 1;
+        const unsigned inside = ((1u << blocks_.edge()) - 1) << (first.x() - begin.x());
         for (int z = begin.z(); z < end.z(); ++z) {
             const bool in_planes = z >= first.z() && z <= last.z();
             for (int y = begin.y(); y < end.y(); ++y) {
                 const bool in_rows = in_planes && y >= first.y() && y <= last.y();
-                const std::uint32_t* depths = distance_.squared_row(y, z);
-                const VoxelIndex row = voxels_.shape().index(0, y, z);
-                for (int x = begin.x(); x < end.x(); ++x) {
-                    if (!solid_.test(x, y, z)) continue;
-                    const bool inside = in_rows && x >= first.x() && x <= last.x();
-                    if (inside || depths[x] >= least) voxels_.set(row + static_cast<VoxelIndex>(x));
+                const std::uint32_t* depths = distance_.squared_row(y, z) + begin.x();
+                const VoxelIndex row = voxels_.shape().index(begin.x(), y, z);
+                for (unsigned bits = row_bits(begin.x(), y, z) & width; bits != 0;
+                     bits &= bits - 1) {
+                    const auto i = static_cast<unsigned>(std::countr_zero(bits));
+                    const bool in_block = in_rows && (inside >> i & 1u) != 0;
+                    if (in_block || depths[i] >= least) voxels_.set(row + i);
                 }
             }
         }
@@ -35,6 +39,16 @@ public:
     [[nodiscard]] ThinningGrid take() { return std::move(voxels_); }
 
 private:
+    /// From `x` on, as many as a block and its neighbours are wide.
+    [[nodiscard]] unsigned row_bits(int x, int y, int z) const {
+        const auto row = solid_.row(y, z);
+        const auto word = static_cast<std::size_t>(x) / 64;
+        const auto bit = static_cast<std::size_t>(x) % 64;
+        std::uint64_t bits = row[word] >> bit;
+        if (bit > 32 && word + 1 < row.size()) bits |= row[word + 1] << (64 - bit);
+        return static_cast<unsigned>(bits);
+    }
+
     const BlockGrid& blocks_;
     const BitVolume& solid_;
     const DistanceField& distance_;

@@ -6,6 +6,10 @@
 
 #include "engine/voxel/distance_columns.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace ossuary {
 namespace {
 
@@ -22,11 +26,18 @@ constexpr std::size_t kStride = 2;
 /// Whether some lane is above a limit. (Finding the largest takes longer than ten steps.)
 [[gnu::always_inline]] inline bool any_above(const Lanes& lanes, std::size_t limit) {
     const Lanes above = lanes > static_cast<std::int16_t>(static_cast<int>(limit) - kShift);
+#ifdef __SSE2__
+    using Half [[gnu::vector_size(kLanes)]] = std::int16_t;
+    const Half low = __builtin_shufflevector(above, above, 0, 1, 2, 3, 4, 5, 6, 7);
+    const Half high = __builtin_shufflevector(above, above, 8, 9, 10, 11, 12, 13, 14, 15);
+    return _mm_movemask_epi8(reinterpret_cast<__m128i>(low | high)) != 0;
+#else
     std::array<std::uint64_t, sizeof(Lanes) / 8> words;
     std::memcpy(words.data(), &above, sizeof above);
     std::uint64_t any = 0;
     for (const std::uint64_t word : words) any |= word;
     return any != 0;
+#endif
 }
 
 /// Lowers `best`, which is *row, to the nearest. All rows of background that a column has beyond
