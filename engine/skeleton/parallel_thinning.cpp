@@ -15,14 +15,15 @@ class ParallelThinning {
 public:
     explicit ParallelThinning(const BitVolume& solid)
         : object_(solid),
-          listed_(object_.shape()),
-          exposed_(object_.shape()),
           candidates_(object_.shape()),
+          queued_(object_.shape()),
+          waits_(object_.shape()),
+          turned_(object_.shape()),
           steps_(object_.shape().neighbor_steps()) {
         for_each_voxel(border(solid), [&](const Vec3i& position) {
             const VoxelIndex v = object_.shape().index(position);
-            exposed_.set(v);
-            list(v);
+            queued_.set(v);
+            changed_.push_back(v);
         });
     }
 
@@ -35,14 +36,15 @@ public:
     }
 
 private:
-    void list(VoxelIndex v) {
-        listed_.set(v);
-        border_.push_back(v);
-    }
-
     /// One pass over the simple points that face one side, the side that most can be deleted on.
-    /// (Taking the sides in a fixed order instead eats a bar 4x4x100 from its end.)
+    /// (Taking the sides in a fixed order instead eats a bar 4x4x100 from its end.) Afterwards only
+    /// what is beside the deleted is looked at, and others are no candidates.
     bool break_tie() {
+        for (const VoxelIndex v : waiting_) {
+            waits_.reset(v);
+            candidates_.reset(v);
+        }
+        waiting_.clear();
         std::vector<VoxelIndex> simple;
         object_.for_each([&](VoxelIndex v) {
             const Neighborhood around = object_.neighborhood(v);
@@ -54,69 +56,109 @@ private:
             std::vector<VoxelIndex> facing;
             std::copy_if(simple.begin(), simple.end(), std::back_inserter(facing),
                          [&](VoxelIndex v) { return (object_.neighborhood(v) >> bit & 1u) == 0; });
-            const auto kept = select_p_simple(facing);
-            if (kept.size() > most.size()) most = kept;
+            for (const VoxelIndex v : facing) candidates_.set(v);
+            std::vector<VoxelIndex> kept;
+            std::copy_if(facing.begin(), facing.end(), std::back_inserter(kept),
+                         [&](VoxelIndex v) { return may_go(v); });
+            for (const VoxelIndex v : facing) candidates_.reset(v);
+            if (kept.size() > most.size()) most = std::move(kept);
         }
-        for (const VoxelIndex v : border_) listed_.reset(v);
-        border_.clear();
         remove(most);
         return !most.empty();
     }
 
-    /// Those of `chosen` that are P-simple for P = `chosen`.
-    std::vector<VoxelIndex> select_p_simple(const std::vector<VoxelIndex>& chosen) {
-        for (const VoxelIndex v : chosen) candidates_.set(v);
-        std::vector<VoxelIndex> selected;
-        for (const VoxelIndex v : chosen) {
-            if (is_p_simple(is_simple_, object_.neighborhood(v), candidates_.neighborhood(v))) {
-                selected.push_back(v);
+    [[nodiscard]] bool may_go(VoxelIndex v) const {
+        return is_p_simple(is_simple_, object_.neighborhood(v), candidates_.neighborhood(v));
+    }
+
+    /// Deletes those candidates that are P-simple for all candidates. A voxel is a candidate or not
+    /// by its neighbourhood, and may go or not by that and which of it are candidates: only where
+    /// one of them has changed it has to be looked at again.
+    bool iterate() {
+        to_test_.clear();
+        turned_voxels_.clear();
+        for (const VoxelIndex v : changed_) {
+            const Neighborhood around = object_.neighborhood(v);
+            const bool exposed = (around & kFaceNeighbors) != kFaceNeighbors;
+            const bool candidate = exposed && !is_tail(around) && matches_deletion_template(around);
+            if (candidate != candidates_.test(v)) turned_voxels_.push_back(v);
+            if (candidate) {
+                to_test_.push_back(v);
+            } else {
+                queued_.reset(v);
             }
         }
-        for (const VoxelIndex v : chosen) candidates_.reset(v);
-        return selected;
-    }
-
-    /// Deletes the P-simple points among the candidates on the list. The next list holds the
-    /// candidates that stayed and all that lost a neighbour: nothing else can have changed.
-    bool iterate() {
-        chosen_.clear();
-        for (const VoxelIndex v : border_) {
-            listed_.reset(v);
-            const Neighborhood around = object_.neighborhood(v);
-            if (!is_tail(around) && matches_deletion_template(around)) chosen_.push_back(v);
+        changed_.clear();
+        for (const VoxelIndex v : turned_voxels_) candidates_.flip(v);
+        queue_beside_turned();
+        deleted_.clear();
+        for (const VoxelIndex v : to_test_) {
+            queued_.reset(v);
+            if (may_go(v)) {
+                deleted_.push_back(v);
+            } else if (!waits_.test(v)) {
+                waits_.set(v);
+                waiting_.push_back(v);
+            }
         }
-        border_ = chosen_;
-        for (const VoxelIndex v : border_) listed_.set(v);
-        const std::vector<VoxelIndex> deleted = select_p_simple(chosen_);
-        remove(deleted);
-        return !deleted.empty();
+        remove(deleted_);
+        return !deleted_.empty();
     }
 
-    /// Deletes voxels and lists what is exposed around them.
+    /// Adds the candidates with a neighbour that has become one or ceased to be one to those to
+    /// test: from whichever side there are fewer to go through.
+    void queue_beside_turned() {
+        if (turned_voxels_.size() < waiting_.size() / 2) {
+            for (const VoxelIndex v : turned_voxels_) {
+                queue(candidates_.neighborhood(v) & ~queued_.neighborhood(v) & k26Neighbors, v,
+                      to_test_);
+            }
+            return;
+        }
+        for (const VoxelIndex v : turned_voxels_) turned_.set(v);
+        std::erase_if(waiting_, [&](VoxelIndex v) {
+            if (candidates_.test(v) && !queued_.test(v)) {
+                if (turned_.neighborhood(v) == 0) return false;
+                queued_.set(v);
+                to_test_.push_back(v);
+            }
+            waits_.reset(v);
+            return true;
+        });
+        for (const VoxelIndex v : turned_voxels_) turned_.reset(v);
+    }
+
+    void queue(Neighborhood neighbors, VoxelIndex v, std::vector<VoxelIndex>& list) {
+        for_each_bit(neighbors, [&](int bit) {
+            const VoxelIndex n = moved(v, steps_[static_cast<std::size_t>(bit)]);
+            queued_.set(n);
+            list.push_back(n);
+        });
+    }
+
+    /// Deletes voxels and lists what has changed around them.
     void remove(const std::vector<VoxelIndex>& voxels) {
         for (const VoxelIndex v : voxels) {
             object_.reset(v);
-            for_each_bit(object_.neighborhood(v) & kFaceNeighbors, [&](int bit) {
-                exposed_.set(moved(v, steps_[static_cast<std::size_t>(bit)]));
-            });
+            candidates_.reset(v);
         }
         for (const VoxelIndex v : voxels) {
-            const Neighborhood fresh = object_.neighborhood(v) & exposed_.neighborhood(v) &
-                                       ~listed_.neighborhood(v) & k26Neighbors;
-            for_each_bit(fresh,
-                         [&](int bit) { list(moved(v, steps_[static_cast<std::size_t>(bit)])); });
+            queue(object_.neighborhood(v) & ~queued_.neighborhood(v), v, changed_);
         }
-        std::erase_if(border_, [&](VoxelIndex v) { return !object_.test(v); });
     }
 
     const SimplePointTest& is_simple_ = SimplePointTest::shared();
     ThinningGrid object_;
-    ThinningGrid listed_;
-    ThinningGrid exposed_;  ///< has had a background face: nothing else can be a candidate
     ThinningGrid candidates_;
+    ThinningGrid queued_;  ///< is in `changed_` or `to_test_`
+    ThinningGrid waits_;   ///< is in `waiting_`
+    ThinningGrid turned_;  ///< empty but while it is used
     std::array<std::int32_t, 27> steps_;
-    std::vector<VoxelIndex> border_;
-    std::vector<VoxelIndex> chosen_;
+    std::vector<VoxelIndex> changed_;  ///< have lost a neighbour
+    std::vector<VoxelIndex> turned_voxels_;
+    std::vector<VoxelIndex> to_test_;
+    std::vector<VoxelIndex> waiting_;  ///< all candidates that could not go, and some that are none
+    std::vector<VoxelIndex> deleted_;
 };
 
 }  // namespace

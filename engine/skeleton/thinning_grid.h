@@ -83,6 +83,10 @@ public:
         bytes_[v >> 3] = static_cast<std::uint8_t>(bytes_[v >> 3] & ~(1u << (v & 7u)));
     }
 
+    void flip(VoxelIndex v) {
+        bytes_[v >> 3] = static_cast<std::uint8_t>(bytes_[v >> 3] ^ 1u << (v & 7u));
+    }
+
     /// @pre `v` is not in the padding
     [[nodiscard]] Neighborhood neighborhood(VoxelIndex v) const {
         const std::uint32_t first = v - 1;
