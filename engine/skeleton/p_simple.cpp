@@ -3,40 +3,42 @@
 namespace ossuary {
 namespace {
 
-/// For each edge neighbour the two face neighbours that form a unit square with it and the centre.
-struct UnitSquare {
-    Neighborhood edge = 0;
-    Neighborhood face_a = 0;
-    Neighborhood face_b = 0;
-};
-
-constexpr std::array<UnitSquare, 12> kUnitSquares = [] {
-    std::array<UnitSquare, 12> squares{};
-    std::size_t next = 0;
-    for (int bit = 0; bit < 27; ++bit) {
-        const NeighborOffset o = neighbor_offset(bit);
-        if (o.order() != 2) continue;
-        const NeighborOffset a =
-            o.dx != 0 ? NeighborOffset{o.dx, 0, 0} : NeighborOffset{0, o.dy, 0};
-        const NeighborOffset b =
-            o.dz != 0 ? NeighborOffset{0, 0, o.dz} : NeighborOffset{0, o.dy, 0};
-        squares[next++] = {Neighborhood{1} << bit, Neighborhood{1} << neighbor_bit(a),
-                           Neighborhood{1} << neighbor_bit(b)};
-    }
-    return squares;
-}();
+/// The cells one step from those of a set, in one of the six directions.
+template <int kBits>
+constexpr Neighborhood shifted(Neighborhood set, Neighborhood within) {
+    return kBits > 0 ? (set & within) << kBits : (set & within) >> -kBits;
+}
 
 /// Face neighbours y with a background face neighbour z and a background edge neighbour t that
-/// close a unit square with y and the centre.
-Neighborhood faces_beside_background(Neighborhood object) {
-    const Neighborhood background = ~object;
-    Neighborhood faces = 0;
-    for (const UnitSquare& square : kUnitSquares) {
-        if ((background & square.edge) == 0) continue;
-        if ((background & square.face_a) != 0) faces |= square.face_b;
-        if ((background & square.face_b) != 0) faces |= square.face_a;
+/// close a unit square with y and the centre: t is where y and z, taken as steps, lead together.
+/// The background is passed without corners and centre, so that only edge neighbours remain where
+/// a step leads along another axis.
+Neighborhood faces_beside_background(Neighborhood background) {
+    const Neighborhood faces = background & kFaceNeighbors;
+    const Neighborhood edges = background & kEdgeNeighbors;
+    const auto face = [&](Neighborhood reached, int dx, int dy, int dz) {
+        const Neighborhood bit = Neighborhood{1} << neighbor_bit({dx, dy, dz});
+        return (reached & edges) != 0 ? bit : 0;
+    };
+    return face(shifted<-1>(faces, detail::kNotLowX), -1, 0, 0) |
+           face(shifted<1>(faces, detail::kNotHighX), 1, 0, 0) |
+           face(shifted<-3>(faces, detail::kNotLowY), 0, -1, 0) |
+           face(shifted<3>(faces, detail::kNotHighY), 0, 1, 0) |
+           face(shifted<-9>(faces, kWholeNeighborhood), 0, 0, -1) |
+           face(shifted<9>(faces, kWholeNeighborhood), 0, 0, 1);
+}
+
+/// Whether a set of neighbours, not empty, is one 26-component. Where its background is one, as
+/// nearly always, the table of simple points knows.
+bool is_one_component(const SimplePointTest& simple_point, Neighborhood set) {
+    if (simple_point(set)) return true;
+    if (simple_point.one_background_component(set)) return false;
+    Neighborhood component = set & (~set + 1);
+    for (;;) {
+        const Neighborhood grown = dilate_26(component) & set;
+        if (grown == component) return component == set;
+        component = grown;
     }
-    return faces;
 }
 
 }  // namespace
@@ -49,15 +51,9 @@ bool is_p_simple(const SimplePointTest& simple_point, Neighborhood object,
     const Neighborhood staying = object & k26Neighbors & ~candidates;
     if (staying == 0) return false;
     if ((candidates & ~dilate_26(staying)) != 0) return false;
-    Neighborhood component = staying & (~staying + 1);
-    for (;;) {
-        const Neighborhood grown = dilate_26(component) & staying;
-        if (grown == component) break;
-        component = grown;
-    }
-    if (component != staying) return false;
+    if (!is_one_component(simple_point, staying)) return false;
     const Neighborhood faces = candidates & kFaceNeighbors;
-    return (faces & ~faces_beside_background(object)) == 0;
+    return faces == 0 || (faces & ~faces_beside_background(~object & k18Neighbors)) == 0;
 }
 
 }  // namespace ossuary
