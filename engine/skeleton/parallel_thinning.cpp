@@ -16,13 +16,13 @@ public:
     explicit ParallelThinning(const BitVolume& solid)
         : object_(solid),
           candidates_(object_.shape()),
-          queued_(object_.shape()),
+          quiet_(object_),
           waits_(object_.shape()),
           turned_(object_.shape()),
           steps_(object_.shape().neighbor_steps()) {
         for_each_voxel(border(solid), [&](const Vec3i& position) {
             const VoxelIndex v = object_.shape().index(position);
-            queued_.set(v);
+            quiet_.reset(v);
             changed_.push_back(v);
         });
     }
@@ -83,23 +83,24 @@ private:
             const bool candidate = exposed && !is_tail(around) && matches_deletion_template(around);
             if (candidate != candidates_.test(v)) turned_voxels_.push_back(v);
             if (candidate) {
-                to_test_.push_back(v);
+                to_test_.push_back({v, around});
             } else {
-                queued_.reset(v);
+                quiet_.set(v);
             }
         }
         changed_.clear();
         for (const VoxelIndex v : turned_voxels_) candidates_.flip(v);
         queue_beside_turned();
         deleted_.clear();
-        for (const VoxelIndex v : to_test_) {
-            queued_.reset(v);
-            if (may_go(v)) {
+        for (const auto& [v, around] : to_test_) {
+            if (is_p_simple(is_simple_, around, candidates_.neighborhood(v))) {
                 deleted_.push_back(v);
-            } else if (!waits_.test(v)) {
-                waits_.set(v);
-                waiting_.push_back(v);
+                continue;
             }
+            quiet_.set(v);
+            if (waits_.test(v)) continue;
+            waits_.set(v);
+            waiting_.push_back(v);
         }
         remove(deleted_);
         return !deleted_.empty();
@@ -110,17 +111,16 @@ private:
     void queue_beside_turned() {
         if (turned_voxels_.size() < waiting_.size() / 2) {
             for (const VoxelIndex v : turned_voxels_) {
-                queue(candidates_.neighborhood(v) & ~queued_.neighborhood(v) & k26Neighbors, v,
-                      to_test_);
+                for_each_bit(candidates_.neighborhood(v) & quiet_.neighborhood(v),
+                             [&](int bit) { queue(neighbor(v, bit)); });
             }
             return;
         }
         for (const VoxelIndex v : turned_voxels_) turned_.set(v);
         std::erase_if(waiting_, [&](VoxelIndex v) {
-            if (candidates_.test(v) && !queued_.test(v)) {
+            if (candidates_.test(v) && quiet_.test(v)) {
                 if (turned_.neighborhood(v) == 0) return false;
-                queued_.set(v);
-                to_test_.push_back(v);
+                queue(v);
             }
             waits_.reset(v);
             return true;
@@ -128,12 +128,9 @@ private:
         for (const VoxelIndex v : turned_voxels_) turned_.reset(v);
     }
 
-    void queue(Neighborhood neighbors, VoxelIndex v, std::vector<VoxelIndex>& list) {
-        for_each_bit(neighbors, [&](int bit) {
-            const VoxelIndex n = moved(v, steps_[static_cast<std::size_t>(bit)]);
-            queued_.set(n);
-            list.push_back(n);
-        });
+    void queue(VoxelIndex candidate) {
+        quiet_.reset(candidate);
+        to_test_.push_back({candidate, object_.neighborhood(candidate)});
     }
 
     /// Deletes voxels and lists what has changed around them.
@@ -141,22 +138,36 @@ private:
         for (const VoxelIndex v : voxels) {
             object_.reset(v);
             candidates_.reset(v);
+            quiet_.reset(v);
         }
         for (const VoxelIndex v : voxels) {
-            queue(object_.neighborhood(v) & ~queued_.neighborhood(v), v, changed_);
+            for_each_bit(quiet_.neighborhood(v), [&](int bit) {
+                const VoxelIndex n = neighbor(v, bit);
+                quiet_.reset(n);
+                changed_.push_back(n);
+            });
         }
     }
+
+    [[nodiscard]] VoxelIndex neighbor(VoxelIndex v, int bit) const {
+        return moved(v, steps_[static_cast<std::size_t>(bit)]);
+    }
+
+    struct Test {
+        VoxelIndex voxel = 0;
+        Neighborhood around = 0;
+    };
 
     const SimplePointTest& is_simple_ = SimplePointTest::shared();
     ThinningGrid object_;
     ThinningGrid candidates_;
-    ThinningGrid queued_;  ///< is in `changed_` or `to_test_`
+    ThinningGrid quiet_;   ///< of the object what is neither in `changed_` nor in `to_test_`
     ThinningGrid waits_;   ///< is in `waiting_`
     ThinningGrid turned_;  ///< empty but while it is used
     std::array<std::int32_t, 27> steps_;
     std::vector<VoxelIndex> changed_;  ///< have lost a neighbour
     std::vector<VoxelIndex> turned_voxels_;
-    std::vector<VoxelIndex> to_test_;
+    std::vector<Test> to_test_;
     std::vector<VoxelIndex> waiting_;  ///< all candidates that could not go, and some that are none
     std::vector<VoxelIndex> deleted_;
 };
