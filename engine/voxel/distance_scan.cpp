@@ -1,7 +1,7 @@
 #include "engine/voxel/distance_scan.h"
 
+#include <algorithm>
 #include <array>
-#include <cassert>
 #include <cstring>
 
 #include "engine/voxel/distance_columns.h"
@@ -54,10 +54,14 @@ constexpr std::size_t kStride = 2;
     }
 }
 
+/// Stands for all that is as far or farther: what is nearer comes out the same.
+constexpr std::size_t kFar = (kFarthestScan + 1) * (kFarthestScan + 1);
+
 /// Transforms a column: groups of `in` at its places to those of `out`, which may be the same.
 /// @param rows  room for the column and kStride rows at either end
+/// @return whether some voxel is kFar
 template <typename Out>
-[[gnu::always_inline]] inline void scan_column(const GroupColumn& column, const std::uint16_t* in,
+[[gnu::always_inline]] inline bool scan_column(const GroupColumn& column, const std::uint16_t* in,
                                                Out* out, Lanes* rows) {
     constexpr auto kBackground = static_cast<std::int16_t>(-kShift);
     for (std::size_t i = 0; i < kStride; ++i) {
@@ -69,26 +73,29 @@ template <typename Out>
         std::memcpy(&rows[i], in + column.places[i], sizeof(Lanes));
         rows[i] ^= kBackground;
     }
+    Lanes farthest = Lanes{} + kBackground;
     for (std::size_t i = 0; i < column.length; ++i) {
         Lanes best = rows[i];
         find_nearest(rows + i, best);
+        farthest = farthest > best ? farthest : best;
         best ^= kBackground;
         std::array<std::uint16_t, kLanes> values;
         std::memcpy(values.data(), &best, sizeof best);
         Out* group = out + column.places[i];
         for (std::size_t c = 0; c < kLanes; ++c) group[c] = values[c];
     }
+    return any_above(farthest, kFar - 1);
 }
 
 using ScanAlongY = void (*)(const GroupColumn&, std::uint16_t*, Lanes*);
-using ScanAlongZ = void (*)(const GroupColumn&, const std::uint16_t*, std::uint32_t*, Lanes*);
+using ScanAlongZ = bool (*)(const GroupColumn&, const std::uint16_t*, std::uint32_t*, Lanes*);
 
 void along_y(const GroupColumn& column, std::uint16_t* planar, Lanes* rows) {
     scan_column(column, planar, planar, rows);
 }
-void along_z(const GroupColumn& column, const std::uint16_t* planar, std::uint32_t* squared,
+bool along_z(const GroupColumn& column, const std::uint16_t* planar, std::uint32_t* squared,
              Lanes* rows) {
-    scan_column(column, planar, squared, rows);
+    return scan_column(column, planar, squared, rows);
 }
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -97,9 +104,9 @@ void along_z(const GroupColumn& column, const std::uint16_t* planar, std::uint32
                                           Lanes* rows) {
     scan_column(column, planar, planar, rows);
 }
-[[gnu::target("avx2")]] void along_z_wide(const GroupColumn& column, const std::uint16_t* planar,
+[[gnu::target("avx2")]] bool along_z_wide(const GroupColumn& column, const std::uint16_t* planar,
                                           std::uint32_t* squared, Lanes* rows) {
-    scan_column(column, planar, squared, rows);
+    return scan_column(column, planar, squared, rows);
 }
 ScanAlongY scan_along_y() { return __builtin_cpu_supports("avx2") ? along_y_wide : along_y; }
 ScanAlongZ scan_along_z() { return __builtin_cpu_supports("avx2") ? along_z_wide : along_z; }
@@ -111,7 +118,7 @@ ScanAlongZ scan_along_z() { return along_z; }
 /// Along x the distance to the nearer end of the run is the whole story.
 void scan_rows(const BitVolume& volume, const DistanceField& field,
                std::vector<std::uint16_t>& squared) {
-    std::array<std::uint16_t, kMaxScanSide / 2 + 1> rising, falling;
+    std::array<std::uint16_t, kFarthestScan> rising, falling;
     for (std::size_t i = 0; i < rising.size(); ++i) {
         rising[i] = static_cast<std::uint16_t>((i + 1) * (i + 1));
         falling[rising.size() - 1 - i] = rising[i];
@@ -123,10 +130,12 @@ void scan_rows(const BitVolume& volume, const DistanceField& field,
             std::uint16_t* out = squared.data() + stored.start;
             for_each_run(volume.row(y, z), volume.size().x(), false, [&](int begin, int end) {
                 const auto length = static_cast<std::size_t>(end - begin);
-                const std::size_t up = (length + 1) / 2;
+                const std::size_t up = std::min((length + 1) / 2, rising.size());
+                const std::size_t down = std::min(length / 2, falling.size());
                 std::memcpy(out + begin, rising.data(), up * sizeof *out);
-                std::memcpy(out + begin + up, falling.data() + falling.size() - (length - up),
-                            (length - up) * sizeof *out);
+                std::fill(out + begin + up, out + end - down, static_cast<std::uint16_t>(kFar));
+                std::memcpy(out + end - down, falling.data() + falling.size() - down,
+                            down * sizeof *out);
             });
         }
     }
@@ -134,8 +143,7 @@ void scan_rows(const BitVolume& volume, const DistanceField& field,
 
 }  // namespace
 
-DistanceField distances_by_scan(const BitVolume& volume) {
-    assert(volume.size().maxCoeff() <= kMaxScanSide);
+std::optional<DistanceField> distances_by_scan(const BitVolume& volume) {
     DistanceField field(volume);
     if (volume.voxel_count() == 0) return field;
     GroupColumns columns(volume, field);
@@ -150,9 +158,11 @@ DistanceField distances_by_scan(const BitVolume& volume) {
     columns.for_each(
         1, [&](const GroupColumn& column) { scan_y(column, planar.data(), &rows.front().lanes); });
     const ScanAlongZ scan_z = scan_along_z();
+    bool far = false;
     columns.for_each(2, [&](const GroupColumn& column) {
-        scan_z(column, planar.data(), field.values().data(), &rows.front().lanes);
+        far |= scan_z(column, planar.data(), field.values().data(), &rows.front().lanes);
     });
+    if (far) return std::nullopt;
     return field;
 }
 

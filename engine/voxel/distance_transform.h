@@ -4,9 +4,9 @@
 
 namespace ossuary {
 
-/// Exact, separable, in one pass along each axis; deterministic. Up to 356 voxels a side the
-/// columns are searched by vector instructions (distance_scan.h), above that lower envelopes of
-/// parabolas are built (distance_envelope.h).
+/// Exact, separable, in one pass along each axis; deterministic. Columns are
+/// searched by vector instructions (distance_scan.h); where some voxel is more than 178 from the
+/// background, lower envelopes of parabolas are built (distance_envelope.h).
 DistanceField distance_transform(const BitVolume& volume);
 
 }  // namespace ossuary

@@ -61,26 +61,54 @@ TEST(DistanceTransform, OfAFullVolumeIsTheDistanceToItsBorder) {
     });
 }
 
+std::vector<std::uint32_t> scanned(const BitVolume& volume) {
+    const auto field = distances_by_scan(volume);
+    return field ? field->values() : std::vector<std::uint32_t>();
+}
+
 TEST(DistanceTransform, IsTheSameByScanAndByEnvelopes) {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const BitVolume volume =
             test::random_volume({40 + static_cast<int>(seed) * 3, 50, 60}, 0.9995, seed);
-        EXPECT_EQ(distances_by_scan(volume).values(), distances_by_envelope(volume).values())
-            << seed;
+        EXPECT_EQ(scanned(volume), distances_by_envelope(volume).values()) << seed;
     }
     for (const auto& shape : test::volume_shapes()) {
-        EXPECT_EQ(distances_by_scan(shape.volume).values(),
-                  distances_by_envelope(shape.volume).values())
+        EXPECT_EQ(scanned(shape.volume), distances_by_envelope(shape.volume).values())
             << shape.name;
     }
-    // The largest values that the scan meets.
-    const BitVolume full = test::random_volume({kMaxScanSide, kMaxScanSide, 60}, 1.1, 0);
-    EXPECT_EQ(distances_by_scan(full).values(), distances_by_envelope(full).values());
 }
 
-TEST(DistanceTransform, TakesSidesBeyondTheScan) {
-    const BitVolume volume = test::random_volume({20, kMaxScanSide + 40, 20}, 0.999, 1);
-    EXPECT_EQ(distance_transform(volume).values(), distances_by_envelope(volume).values());
+TEST(DistanceTransform, ScansUpToTheFarthestThatFits) {
+    constexpr int kSide = 2 * kFarthestScan;
+    const BitVolume flat = test::random_volume({kSide, kSide, 60}, 1.1, 0);
+    EXPECT_EQ(scanned(flat), distances_by_envelope(flat).values()) << "the largest values it meets";
+
+    // The middle voxel alone is too far from the border.
+    BitVolume cube(Vec3i::Constant(kSide + 1));
+    const int words = (kSide + 1) / 64;
+    for (int z = 0; z < kSide + 1; ++z) {
+        for (int y = 0; y < kSide + 1; ++y) {
+            const auto row = cube.row(y, z);
+            std::fill(row.begin(), row.end(), ~std::uint64_t{0});
+            row.back() = (std::uint64_t{1} << (kSide + 1 - words * 64)) - 1;
+        }
+    }
+    EXPECT_FALSE(distances_by_scan(cube).has_value());
+    const Vec3i middle = Vec3i::Constant(kFarthestScan);
+    EXPECT_EQ(distance_transform(cube).distance(middle), kFarthestScan + 1);
+    cube.reset(middle + Vec3i(1, 1, 1));
+    const auto field = distances_by_scan(cube);
+    ASSERT_TRUE(field.has_value());
+    EXPECT_EQ(field->squared(middle), 3u);
+    EXPECT_EQ(field->squared({kFarthestScan, 100, kFarthestScan}), 101u * 101u);
+}
+
+TEST(DistanceTransform, ScansLongSidesWhereTheSolidIsThin) {
+    for (const Vec3i& size : {Vec3i(600, 20, 24), Vec3i(20, 600, 24), Vec3i(24, 20, 600),
+                              Vec3i(420, 420, 30), Vec3i(30, 420, 420), Vec3i(420, 30, 420)}) {
+        const BitVolume volume = test::random_volume(size, 0.9999, 1);
+        EXPECT_EQ(scanned(volume), distances_by_envelope(volume).values()) << size.transpose();
+    }
 }
 
 TEST(DistanceTransform, FollowsThePermutationOfTheAxes) {
