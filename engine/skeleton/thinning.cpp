@@ -1,6 +1,7 @@
 #include "engine/skeleton/thinning.h"
 
 #include <cassert>
+#include <optional>
 #include <string>
 
 #include "engine/skeleton/anchors.h"
@@ -9,21 +10,45 @@
 #include "engine/skeleton/unit_width.h"
 #include "engine/voxel/betti.h"
 #include "engine/voxel/inner_runs.h"
+#include "engine/voxel/morphology.h"
 
 namespace ossuary {
 namespace {
 
+/// Without cavities the Euler characteristic is components less tunnels.
+bool has_only_components(const BitVolume& volume, std::size_t components) {
+    return euler_characteristic(volume) == static_cast<std::int64_t>(components) &&
+           count_cavities(volume) == 0;
+}
+
+/// The least part of the solid around the anchors, voxel by voxel, that has neither tunnels nor
+/// cavities: what loops the anchors have are filled there. None where it is most of the solid.
+std::optional<BitVolume> filled_around(const Anchors& anchors, const BitVolume& solid) {
+    const std::size_t most = solid.count() / 2;
+    BitVolume around = anchors.voxels.volume();
+    do {
+        around = dilate(around);
+        for (std::size_t w = 0; w < around.words().size(); ++w) {
+            around.words()[w] &= solid.words()[w];
+        }
+        if (has_only_components(around, anchors.components)) return around;
+    } while (around.count() < most);
+    return std::nullopt;
+}
+
+/// A solid without tunnels and cavities shrinks onto any part of it that is one piece for each
+/// component and has none either, so that the anchors are its skeleton as they stand. Where paths
+/// have closed loops, what is around the anchors is peeled in its stead (a fiftieth of the time);
+/// only what has tunnels or cavities to keep must be peeled as a whole.
 ThinningGrid thin_anchored(const BitVolume& solid, const DistanceField& distance,
                            const ThinningOptions& options) {
     Anchors anchors = find_anchors(solid, distance, options);
-    // A solid without tunnels and cavities shrinks onto the anchors whatever the order, so that
-    // they are its skeleton as they stand; only what has more to keep must be peeled.
-    // Without cavities the Euler characteristic is components less tunnels.
-    const bool only_components =
-        anchors.contractible &&
-        euler_characteristic(solid) == static_cast<std::int64_t>(anchors.components) &&
-        count_cavities(solid) == 0;
-    if (only_components) return std::move(anchors.voxels);
+    if (has_only_components(solid, anchors.components)) {
+        if (anchors.contractible) return std::move(anchors.voxels);
+        if (const auto around = filled_around(anchors, solid)) {
+            return peel(*around, distance, anchors.voxels);
+        }
+    }
     return peel(solid, distance, anchors.voxels);
 }
 
