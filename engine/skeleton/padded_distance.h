@@ -32,7 +32,10 @@ public:
     /// @pre `v` is a set voxel of the volume that the field was made of
     [[nodiscard]] std::uint32_t squared(VoxelIndex v) const { return squared(v, row_of(v)); }
     [[nodiscard]] std::uint32_t squared(VoxelIndex v, std::uint32_t row) const {
-        return values_[starts_[row] + static_cast<std::ptrdiff_t>(v)];
+        return *place_of(v, row);
+    }
+    [[nodiscard]] const std::uint32_t* place_of(VoxelIndex v, std::uint32_t row) const {
+        return values_ + (starts_[row] + static_cast<std::ptrdiff_t>(v));
     }
 
 private:
