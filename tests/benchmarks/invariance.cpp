@@ -1,10 +1,12 @@
 // How often a changed copy of a model finds its original as the first hit: 100 models of the
 // Princeton segmentation benchmark as copies that are turned at random, have vertex noise of 0.2 %
 // of the bounding box' diagonal, are decimated to 30 % of their faces, mirrored, or scaled and
-// renumbered, each searched for among all 380 originals.
+// renumbered, each searched for among all 380 originals. With rounds to run, each but the first has
+// other models and other random numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <random>
@@ -96,7 +98,7 @@ std::size_t models_before(const std::vector<double>& distances, std::size_t orig
                       [&](double distance) { return distance < distances[original]; }));
 }
 
-void run(const std::filesystem::path& collection, const RankOptions& options) {
+void run(const std::filesystem::path& collection, const RankOptions& options, int rounds) {
     const auto classes = read_classification(collection / "segmentation-all.cla");
     if (!classes) throw std::runtime_error(classes.error().message);
     const auto models = models_in_order(*classes);
@@ -109,10 +111,13 @@ void run(const std::filesystem::path& collection, const RankOptions& options) {
     const auto statistics = collection_statistics(pointers, options.jobs);
     RankOptions one_thread = options;
     one_thread.jobs = 1;
+    const std::size_t copies = kCopies * static_cast<std::size_t>(rounds);
     for (const Change& change : kChanges) {
-        std::vector<std::size_t> before(kCopies);
-        parallel_for(kCopies, options.jobs, [&](std::size_t copy) {
-            const std::size_t original = copy * models.size() / kCopies;
+        std::vector<std::size_t> before(copies);
+        parallel_for(copies, options.jobs, [&](std::size_t copy) {
+            const std::size_t round = copy / kCopies;
+            const std::size_t original =
+                (copy % kCopies * models.size() / kCopies + round) % models.size();
             Random random(copy);
             TriangleMesh mesh = read(collection / "off", models[original].id);
             change.apply(mesh, random);
@@ -120,7 +125,7 @@ void run(const std::filesystem::path& collection, const RankOptions& options) {
                 rank_distances(describe_mesh(mesh), pointers, statistics, one_thread), original);
         });
         const auto first = std::count(before.begin(), before.end(), std::size_t{0});
-        std::cout << fmt::format("{:<10} {:>4} of {} first\n", change.name, first, kCopies)
+        std::cout << fmt::format("{:<10} {:>4} of {} first\n", change.name, first, copies)
                   << std::flush;
     }
 }
@@ -130,16 +135,17 @@ void run(const std::filesystem::path& collection, const RankOptions& options) {
 int main(int argc, char** argv) {
     const auto data = test::benchmark_data();
     const Result<RankerKind> ranker = parse_ranker(argc > 1 ? argv[1] : "skeleton");
-    if (!data || !ranker || argc > 2) {
-        std::cerr << "usage: ossuary_invariance [RANKER], with OSSUARY_DATA set to the folder of "
-                     "princeton-segmentation/\n";
+    const int rounds = argc > 2 ? std::atoi(argv[2]) : 1;
+    if (!data || !ranker || rounds < 1 || argc > 3) {
+        std::cerr << "usage: ossuary_invariance [RANKER [ROUNDS]], with OSSUARY_DATA set to the "
+                     "folder of princeton-segmentation/\n";
         return 2;
     }
     RankOptions options;
     options.ranker = *ranker;
     options.jobs = 2;
     try {
-        run(*data / "princeton-segmentation", options);
+        run(*data / "princeton-segmentation", options, rounds);
     } catch (const std::exception& error) {
         std::cerr << "ossuary_invariance: " << error.what() << '\n';
         return 1;
