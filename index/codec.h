@@ -36,6 +36,9 @@ Result<std::vector<float>> decode_signature(std::string_view blob);
 [[nodiscard]] std::string encode_preview(const PreviewMesh& mesh);
 Result<PreviewMesh> decode_preview(std::string_view blob);
 
+[[nodiscard]] std::string encode_segments(const ModelSegments& segments);
+Result<ModelSegments> decode_segments(std::string_view blob);
+
 [[nodiscard]] std::string encode_thumbnail(const std::vector<std::uint8_t>& png);
 Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob);
 

@@ -8,11 +8,14 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/content_hash.h"
+#include "index/model_segments.h"
 #include "index/thumbnail/thumbnail.h"
 
 namespace ossuary::index {
 
 namespace {
+
+constexpr std::size_t kPreviewTriangles = 2000;
 
 Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
                                   const IndexParameters& parameters, std::stop_token stop) {
@@ -34,13 +37,15 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
                                   description->warnings.end());
     model.descriptor = std::move(description->descriptor);
     model.skeleton = std::move(description->skeleton);
-    model.preview = make_preview(mesh);
+    const TriangleMesh coarse = decimate(mesh, {.max_triangles = kPreviewTriangles});
+    model.preview = make_preview(coarse);
     auto thumbnail = render_thumbnail(mesh);
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);
     } else {
         model.summary.warnings.push_back({"thumbnail_missing", 1, thumbnail.error().message});
     }
+    add_segments(model, mesh, coarse, std::move(stop));
     return model;
 }
 
@@ -57,8 +62,18 @@ Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
     }
 }
 
-PreviewMesh make_preview(const TriangleMesh& mesh) {
-    const TriangleMesh coarse = decimate(mesh, {.max_triangles = 2000});
+void add_segments(NewModel& model, const TriangleMesh& mesh, const TriangleMesh& coarse,
+                  std::stop_token stop) {
+    auto segments = segment_model(mesh, coarse, model.skeleton, std::move(stop));
+    if (segments) {
+        model.segments = *std::move(segments);
+    } else {
+        model.summary.warnings.push_back(
+            {std::string(kSegmentsMissing), 1, segments.error().message});
+    }
+}
+
+PreviewMesh make_preview(const TriangleMesh& coarse) {
     PreviewMesh preview;
     preview.positions.reserve(coarse.vertices.size() * 3);
     for (const Vec3& vertex : coarse.vertices) {

@@ -9,12 +9,19 @@
 namespace ossuary::index {
 
 /// From a model file's bytes to all that an index keeps of it; `name` stands for the file in
-/// messages. The summary's path, name and class are left to the caller.
+/// messages. The summary's path, name and class are left to the caller. What only viewers ask for
+/// may be missing, with a warning: the thumbnail, and the parts (see add_segments).
 /// Errors: those of read_mesh and describe, out_of_memory, internal; never an exception.
 Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
                                 const IndexParameters& parameters, std::stop_token stop = {});
 
+/// Cuts a described model into parts, the last and least needed stage of its description: where
+/// that fails or `stop` is requested, the model gets the warning kSegmentsMissing instead.
+/// @param coarse  the mesh of `model.preview`, at full precision
+void add_segments(NewModel& model, const TriangleMesh& mesh, const TriangleMesh& coarse,
+                  std::stop_token stop);
+
 /// The mesh as viewers are given it.
-[[nodiscard]] PreviewMesh make_preview(const TriangleMesh& mesh);
+[[nodiscard]] PreviewMesh make_preview(const TriangleMesh& coarse);
 
 }  // namespace ossuary::index

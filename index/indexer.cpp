@@ -128,12 +128,13 @@ FileOutcome IndexRun::describe_file(const fs::path& path, const std::string& byt
     outcome.content_hash = std::move(hash);
     const ModelTimer::Watch watch(timer_, stop_);
     auto model = describe_model(bytes, path.string(), store_.parameters(), watch.token());
+    // An interrupted run leaves no model behind that is short of its parts.
+    if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
         outcome.kind = FileOutcome::Kind::kDescribed;
         outcome.model = *std::move(model);
         return outcome;
     }
-    if (stop_.stop_requested()) return outcome;
     outcome.kind = FileOutcome::Kind::kFailed;
     outcome.error = model.error();
     if (outcome.error.code == ErrorCode::kCancelled) {
@@ -332,8 +333,11 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
 }
 
 Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop) {
-    auto model = describe_model(upload.bytes, upload.name, store.parameters(), std::move(stop));
+    auto model = describe_model(upload.bytes, upload.name, store.parameters(), stop);
     if (!model) return model.error();
+    if (stop.stop_requested() && !model->segments) {
+        return {ErrorCode::kCancelled, upload.name + ": adding it was cancelled"};
+    }
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;
     auto id = store.put(*std::move(model));

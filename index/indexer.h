@@ -24,7 +24,7 @@ struct IndexOptions {
     bool prune = false;         ///< remove the models under `paths` whose files are gone
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     /// A model that takes longer is recorded as `cancelled` (seen between the stages of its
-    /// description); 0 = for ever.
+    /// description), or indexed without parts if only those were missing; 0 = for ever.
     double model_timeout_seconds = 600.0;
     std::size_t batch_models = 8;  ///< changes a transaction; fixed, so that revisions do
                                    ///< not depend on time
@@ -82,7 +82,7 @@ struct UploadedModel {
 
 /// Adds one model; the same bytes uploaded again give the same id. Statistics are made if there are
 /// none; rankers judge a model that they do not know by its own distances.
-/// Errors: those of read_mesh and describe (nothing is recorded), those of the store.
+/// Errors: those of read_mesh and describe (nothing is recorded), cancelled, those of the store.
 Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
 
 /// Recomputes the collection's statistics if they are not those of the current revision.

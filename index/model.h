@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/geometry.h"
+#include "engine/decomposition/decompose.h"
 #include "engine/descriptor/describe.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeleton_graph.h"
@@ -19,6 +22,8 @@ using ModelId = std::int64_t;
 /// Raised whenever the same file would be described differently; an index that was built with
 /// another version has to be built again.
 inline constexpr int kPipelineVersion = 4;
+/// Earlier ones left models without parts.
+inline constexpr int kFirstPipelineWithSegments = 4;
 
 /// How the models of an index were described. All of one index are described alike, and queries
 /// like them, so these are fixed when an index is made.
@@ -56,6 +61,15 @@ struct PreviewMesh {
     std::vector<std::uint32_t> triangles;  ///< three vertex indices a triangle
 };
 
+/// The parts of a model: those of the whole mesh, and where they are on the preview.
+struct ModelSegments {
+    /// By descending area. Area and neighbours are those of the whole mesh, `triangles` counts
+    /// those of the preview, `branch` is one of the stored skeleton.
+    std::vector<Decomposition::Part> parts;
+    /// The part of each triangle of the preview; every part has one.
+    std::vector<std::uint32_t> labels;
+};
+
 /// A model's refined skeleton in model units, with the 5-element chain code of each branch.
 struct StoredSkeleton {
     SkeletonGraph graph;
@@ -69,8 +83,13 @@ struct NewModel {
     ModelDescriptor descriptor;
     SkeletonGraph skeleton;  ///< refined, model units; indices as in `descriptor.skeleton`
     PreviewMesh preview;
+    /// None where the model could not be cut into parts; then the warning kSegmentsMissing says
+    /// why.
+    std::optional<ModelSegments> segments;
     std::vector<std::uint8_t> thumbnail;  ///< PNG; empty where none could be drawn
 };
+
+inline constexpr std::string_view kSegmentsMissing = "segments_missing";
 
 /// A file that could not be indexed, and why.
 struct Failure {

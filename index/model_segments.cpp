@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/decomposition/branch_mapping.h"
+#include "engine/decomposition/carry_labels.h"
 #include "engine/decomposition/prevailing_labels.h"
 #include "engine/decomposition/rig.h"
 #include "engine/mesh/measures.h"
@@ -30,44 +31,48 @@ TriangleMesh mesh_of(const PreviewMesh& preview) {
     return mesh;
 }
 
-void name_branches(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
-                   ModelSegments& segments) {
-    for (auto& part : segments.parts) part.branch = -1;
-    if (skeleton.branches.empty()) return;
+/// For each part the branch of the skeleton that most of its area is mapped to, -1 without one.
+std::vector<std::int32_t> branches_of_parts(const TriangleMesh& mesh, const ModelSegments& segments,
+                                            const SkeletonGraph& skeleton) {
+    if (skeleton.branches.empty()) return std::vector<std::int32_t>(segments.parts.size(), -1);
     const BranchMapping mapping(skeleton);
     const std::vector<Vec3> normals = triangle_normals(mesh);
     std::vector<std::int32_t> branches;
-    std::vector<double> areas;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    branches.reserve(normals.size());
+    for (std::size_t t = 0; t < normals.size(); ++t) {
         const auto [a, b, c] = mesh.corners(t);
         branches.push_back(
             static_cast<std::int32_t>(mapping.branch_of((a + b + c) / 3.0, normals[t])));
-        areas.push_back(triangle_area(mesh, t));
     }
-    const auto of_part = prevailing_labels(segments.parts.size(), segments.labels, branches, areas);
-    for (std::size_t p = 0; p < of_part.size(); ++p) segments.parts[p].branch = of_part[p];
+    return prevailing_labels(segments.parts.size(), segments.labels, branches,
+                             triangle_areas(mesh));
 }
 
 }  // namespace
 
-Result<ModelSegments> model_segments(const PreviewMesh& preview, const SkeletonGraph& skeleton,
-                                     std::stop_token stop) {
-    const TriangleMesh mesh = mesh_of(preview);
-    Result<Decomposition> decomposition = decompose(mesh, {}, stop);
-    if (!decomposition.ok()) return decomposition.error();
-    ModelSegments segments{std::move(decomposition->parts),
-                           std::move(decomposition->segmentation.labels)};
-    name_branches(mesh, skeleton, segments);
+Result<ModelSegments> segment_model(const TriangleMesh& mesh, const TriangleMesh& preview,
+                                    const SkeletonGraph& skeleton, std::stop_token stop) {
+    Result<Decomposition> decomposition = decompose(mesh, {}, std::move(stop));
+    if (!decomposition) return decomposition.error();
+    Result<Segmentation> carried = carry_labels(mesh, decomposition->segmentation, preview);
+    if (!carried) return carried.error();
+    ModelSegments segments{std::move(decomposition->parts), std::move(carried->labels)};
+    for (auto& part : segments.parts) part.triangles = 0;
+    for (const std::uint32_t label : segments.labels) ++segments.parts[label].triangles;
+    const auto branches = branches_of_parts(preview, segments, skeleton);
+    for (std::size_t p = 0; p < branches.size(); ++p) segments.parts[p].branch = branches[p];
     return segments;
 }
 
-Result<std::string> model_rig(const PreviewMesh& preview, const SkeletonGraph& skeleton,
-                              std::string_view name, std::stop_token stop) {
+Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& segments,
+                              const SkeletonGraph& skeleton, std::string_view name) {
     const TriangleMesh mesh = mesh_of(preview);
-    const Result<Decomposition> decomposition = decompose(mesh, {}, stop);
-    if (!decomposition.ok()) return decomposition.error();
+    if (segments.labels.size() != mesh.triangles.size()) {
+        return {ErrorCode::kIndexCorrupt, "labels and triangles of the preview differ in number"};
+    }
     const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
-    return to_glb(welded, decomposition->segmentation, make_rig(welded, skeleton), name);
+    const Segmentation parts{segments.labels, static_cast<std::uint32_t>(segments.parts.size())};
+    return to_glb(welded, parts, make_rig(welded, skeleton), name);
 }
 
 nlohmann::json to_json(const ModelSegments& segments) {

@@ -202,6 +202,8 @@ public:
     Result<std::vector<StoredSignature>> signatures();
     Result<StoredSkeleton> skeleton(ModelId id);
     Result<PreviewMesh> preview(ModelId id);
+    /// None for a model that could not be cut into parts.
+    Result<std::optional<ModelSegments>> segments(ModelId id);
     Result<std::vector<std::uint8_t>> thumbnail(ModelId id);
     Result<std::vector<Failure>> failures();
 

@@ -268,6 +268,19 @@ Result<PreviewMesh> Store::preview(ModelId id) {
     });
 }
 
+Result<std::optional<ModelSegments>> Store::segments(ModelId id) {
+    return impl_->locked([&]() -> Result<std::optional<ModelSegments>> {
+        Query query(
+            impl_->statement("SELECT s.segments FROM models m LEFT JOIN segments s "
+                             "ON s.model = m.id WHERE m.id = ?"));
+        if (!query.bind(id).step()) return impl_->no_model(id);
+        if (query.is_null(0)) return std::optional<ModelSegments>();
+        auto segments = decode_segments(query.blob(0));
+        if (!segments) return impl_->damaged(id, segments.error());
+        return std::optional(*std::move(segments));
+    });
+}
+
 Result<std::vector<std::uint8_t>> Store::thumbnail(ModelId id) {
     return impl_->locked([&]() -> Result<std::vector<std::uint8_t>> {
         Query query(impl_->statement("SELECT png FROM thumbnails WHERE model = ?"));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -137,6 +138,7 @@ private:
         if (*shape_ != shape) find(subject, "descriptors of another kind than the first model's");
         check_skeleton(subject, summary, descriptor);
         check_pictures(subject, summary.id);
+        check_segments(subject, summary);
     }
     void check_skeleton(const std::string& subject, const ModelSummary& summary,
                         const SkeletonDescriptor& descriptor) {
@@ -181,6 +183,31 @@ private:
         Query thumbnail(impl_.statement("SELECT png FROM thumbnails WHERE model = ?"));
         if (thumbnail.bind(id).step()) {
             (void)decoded(subject + ", thumbnail", decode_thumbnail(thumbnail.blob(0)));
+        }
+    }
+    void check_segments(const std::string& subject, const ModelSummary& summary) {
+        Query row(impl_.statement("SELECT segments FROM segments WHERE model = ?"));
+        if (!row.bind(summary.id).step()) {
+            const bool may_be_missing =
+                impl_.parameters.pipeline < kFirstPipelineWithSegments ||
+                std::any_of(summary.warnings.begin(), summary.warnings.end(),
+                            [](const auto& each) { return each.code == kSegmentsMissing; });
+            if (!may_be_missing) find(subject, "no parts, and no warning that says why");
+            return;
+        }
+        const auto segments = decode_segments(row.blob(0));
+        if (!decoded(subject + ", segments", segments)) return;
+        Query preview(impl_.statement("SELECT mesh FROM previews WHERE model = ?"));
+        if (preview.bind(summary.id).step()) {
+            const auto mesh = decode_preview(preview.blob(0));
+            if (mesh && mesh->triangles.size() != segments->labels.size() * 3) {
+                find(subject, "labels and triangles of the preview differ in number");
+            }
+        }
+        for (const auto& part : segments->parts) {
+            if (part.branch >= 0 && static_cast<std::uint32_t>(part.branch) >= summary.branches) {
+                find(subject, "a part belongs to a branch that is not there");
+            }
         }
     }
     void check_failures() {

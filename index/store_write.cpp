@@ -9,7 +9,7 @@ namespace {
 
 /// The blobs of a model, ready to be written.
 struct EncodedModel {
-    std::string signature, descriptor, globals, skeleton, preview, thumbnail;
+    std::string signature, descriptor, globals, skeleton, preview, segments, thumbnail;
 };
 
 /// Encodes, and decodes again to be sure that what is written can be read.
@@ -29,6 +29,13 @@ Result<EncodedModel> encode(const NewModel& model) {
     check(decode_globals(encoded.globals));
     check(decode_skeleton(encoded.skeleton));
     check(decode_preview(encoded.preview));
+    if (model.segments) {
+        encoded.segments = encode_segments(*model.segments);
+        check(decode_segments(encoded.segments));
+        if (model.segments->labels.size() * 3 != model.preview.triangles.size()) {
+            wrong = "labels and triangles of the preview differ in number";
+        }
+    }
     if (!model.thumbnail.empty()) {
         encoded.thumbnail = encode_thumbnail(model.thumbnail);
         check(decode_thumbnail(encoded.thumbnail));
@@ -129,8 +136,8 @@ ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) 
 }
 
 void Writer::remove_parts(ModelId id) {
-    for (const char* table :
-         {"signatures", "descriptors", "skeletons", "branches", "previews", "thumbnails"}) {
+    for (const char* table : {"signatures", "descriptors", "skeletons", "branches", "previews",
+                              "segments", "thumbnails"}) {
         query("DELETE FROM " + std::string(table) + " WHERE model = ?").bind(id).run();
     }
 }
@@ -148,6 +155,11 @@ void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& en
     query("INSERT INTO previews (model, mesh) VALUES (?, ?)")
         .bind(id, BlobView{encoded.preview})
         .run();
+    if (!encoded.segments.empty()) {
+        query("INSERT INTO segments (model, segments) VALUES (?, ?)")
+            .bind(id, BlobView{encoded.segments})
+            .run();
+    }
     if (!encoded.thumbnail.empty()) {
         query("INSERT INTO thumbnails (model, png) VALUES (?, ?)")
             .bind(id, BlobView{encoded.thumbnail})

@@ -17,29 +17,19 @@ Checked<index::ModelId> only_id(const Request& request) {
     return parse_id(request.capture, "model");
 }
 
-/// What the index keeps of a model that it can be cut into parts by.
-struct ShapeToCut {
-    std::string name;
-    index::PreviewMesh mesh;
-    SkeletonGraph skeleton;
-};
-
-Checked<ShapeToCut> shape_to_cut(Service& service, const Request& request) {
-    const auto id = only_id(request);
-    if (!id) return tl::unexpected<Problem>(id.error());
-    const auto model = service.searcher.store().model(*id);
+/// The parts that the index holds of a model; where it holds none, why.
+Checked<index::ModelSegments> stored_segments(Service& service, index::ModelId id) {
+    auto segments = service.searcher.store().segments(id);
+    if (!segments) return fail(segments.error());
+    if (*segments) return **std::move(segments);
+    const auto model = service.searcher.store().model(id);
     if (!model) return fail(model.error());
-    auto mesh = service.searcher.store().preview(*id);
-    if (!mesh) return fail(mesh.error());
-    auto skeleton = service.searcher.store().skeleton(*id);
-    if (!skeleton) return fail(skeleton.error());
-    return ShapeToCut{model->name, *std::move(mesh), std::move(skeleton->graph)};
-}
-
-tl::unexpected<Problem> not_cut(const Request& request, const Error& error) {
-    if (error.code == ErrorCode::kCancelled) return fail(error);
-    return fail(RequestFault::kSegmentsNotAvailable,
-                "Model " + request.capture + " cannot be cut into parts: " + error.message);
+    std::string detail =
+        "Model " + std::to_string(id) + " could not be cut into parts when it was indexed";
+    for (const MeshWarning& warning : model->warnings) {
+        if (warning.code == index::kSegmentsMissing) detail += ": " + warning.message;
+    }
+    return fail(RequestFault::kSegmentsNotAvailable, detail);
 }
 
 }  // namespace
@@ -63,22 +53,28 @@ Checked<Response> model_skeleton(Service& service, const Request& request) {
 }
 
 Checked<Response> model_segments(Service& service, const Request& request) {
-    const auto shape = shape_to_cut(service, request);
-    if (!shape) return tl::unexpected<Problem>(shape.error());
-    const auto slot = wait_for_slot(service, request);
-    if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto segments = index::model_segments(shape->mesh, shape->skeleton, request.stop);
-    if (!segments.ok()) return not_cut(request, segments.error());
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto segments = stored_segments(service, *id);
+    if (!segments) return tl::unexpected<Problem>(segments.error());
     return conditional(request.head, json_answer(index::to_json(*segments)));
 }
 
 Checked<Response> model_rig(Service& service, const Request& request) {
-    const auto shape = shape_to_cut(service, request);
-    if (!shape) return tl::unexpected<Problem>(shape.error());
+    const auto id = only_id(request);
+    if (!id) return tl::unexpected<Problem>(id.error());
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    const auto segments = stored_segments(service, *id);
+    if (!segments) return tl::unexpected<Problem>(segments.error());
+    const auto mesh = service.searcher.store().preview(*id);
+    if (!mesh) return fail(mesh.error());
+    const auto skeleton = service.searcher.store().skeleton(*id);
+    if (!skeleton) return fail(skeleton.error());
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    auto rig = index::model_rig(shape->mesh, shape->skeleton, shape->name, request.stop);
-    if (!rig.ok()) return not_cut(request, rig.error());
+    auto rig = index::model_rig(*mesh, *segments, skeleton->graph, model->name);
+    if (!rig.ok()) return fail(rig.error());
     return conditional(request.head, answer("model/gltf-binary", *std::move(rig)));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -45,6 +46,8 @@ std::vector<Case> cases() {
          recoder(decode_signature, encode_signature)},
         {"preview", kPreviewBlob, encode_preview(model.preview),
          recoder(decode_preview, encode_preview)},
+        {"segments", kSegmentsBlob, encode_segments(*model.segments),
+         recoder(decode_segments, encode_segments)},
         {"thumbnail", kThumbnailBlob, encode_thumbnail(model.thumbnail),
          recoder(decode_thumbnail, encode_thumbnail)},
         {"statistics", kStatisticsBlob, encode_statistics({{1.0, -0.0, 1e-310, 3.25}}),
@@ -245,6 +248,48 @@ TEST(Codec, RefusesPackedDigitsThatStandForNone) {
         digits = static_cast<char>(byte);
         EXPECT_FALSE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload))) << byte;
     }
+}
+
+TEST(Codec, GivesBackSegmentsOfAnyNumberOfParts) {
+    for (const std::uint32_t count : {1U, 2U, 255U, 256U, 257U, 1000U}) {
+        ModelSegments segments;
+        for (std::uint32_t p = 0; p < count; ++p) {
+            Decomposition::Part part{p % 3 + 1, 0.1 * p, static_cast<std::int32_t>(p) - 1, {}};
+            if (p > 0) part.neighbors.push_back(p - 1);
+            if (p + 1 < count) part.neighbors.push_back(p + 1);
+            segments.parts.push_back(part);
+            segments.labels.insert(segments.labels.end(), part.triangles, p);
+        }
+        const auto read = decode_segments(encode_segments(segments));
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->labels, segments.labels);
+        ASSERT_EQ(read->parts.size(), count);
+        for (std::uint32_t p = 0; p < count; ++p) {
+            EXPECT_EQ(read->parts[p].triangles, segments.parts[p].triangles);
+            EXPECT_EQ(read->parts[p].area, segments.parts[p].area);
+            EXPECT_EQ(read->parts[p].branch, segments.parts[p].branch);
+            EXPECT_EQ(read->parts[p].neighbors, segments.parts[p].neighbors);
+        }
+    }
+}
+
+TEST(Codec, RefusesSegmentsThatCannotBe) {
+    const ModelSegments sound = *test::sample_model(4, "/x").segments;
+    ASSERT_TRUE(decode_segments(encode_segments(sound)));
+    const auto refused = [&sound](const std::function<void(ModelSegments&)>& change) {
+        ModelSegments changed = sound;
+        change(changed);
+        const auto read = decode_segments(encode_segments(changed));
+        return !read && read.error().code == ErrorCode::kIndexCorrupt;
+    };
+    EXPECT_TRUE(refused([](auto& s) { s.labels[1] = 2; })) << "a label that is no part";
+    EXPECT_TRUE(refused([](auto& s) { s.labels[1] = 0; })) << "a part without a triangle";
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].area = -1.0; }));
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].area = std::nan(""); }));
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].branch = -2; }));
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].neighbors = {2}; })) << "no such part";
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].neighbors = {0}; })) << "itself";
+    EXPECT_TRUE(refused([](auto& s) { s.parts[0].neighbors = {1, 1}; })) << "twice";
 }
 
 TEST(EarlierVersions, OfGlobalsKeepNamesAndLengths) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "index/codec.h"
 #include "index/migrations.h"
 #include "index/store.h"
 #include "tests/index/sample_index.h"
@@ -133,7 +134,7 @@ TEST_F(DamagedIndex, ASoundOneHasNoFindings) {
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->findings.empty());
     EXPECT_EQ(report->models, 6U);
-    EXPECT_EQ(report->blobs, 6U * 6U + 2U);
+    EXPECT_EQ(report->blobs, 6U * 7U + 2U);
 }
 
 TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
@@ -146,6 +147,9 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
              "WHERE model = 2",
              "UPDATE skeletons SET skeleton = zeroblob(64) WHERE model = 2",
              "UPDATE previews SET mesh = x'4D455348' WHERE model = 2",
+             "UPDATE segments SET segments = x'50415254' WHERE model = 2",
+             "UPDATE segments SET segments = zeroblob(64) WHERE model = 2",
+             "DELETE FROM segments WHERE model = 2",
              "UPDATE thumbnails SET png = x'89504E47' WHERE model = 2",
              "UPDATE branches SET chain_code = '5' WHERE model = 2 AND branch = 0",
              "UPDATE branches SET node_a = 7 WHERE model = 2 AND branch = 0",
@@ -176,6 +180,29 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
     EXPECT_TRUE(findings().empty());
 }
 
+TEST_F(DamagedIndex, VerifyHoldsPartsAgainstPreviewAndSkeleton) {
+    const std::string whole = test::read_file(path_);
+    NewModel model = test::sample_model(2, "/m/2.off");
+    const auto with_segments = [&](const ModelSegments& segments) {
+        std::string hex;
+        for (const char byte : encode_segments(segments)) {
+            constexpr std::string_view kDigits = "0123456789ABCDEF";
+            hex += kDigits[static_cast<unsigned char>(byte) >> 4];
+            hex += kDigits[static_cast<unsigned char>(byte) & 15];
+        }
+        test::write_file(path_, whole);
+        test::execute_sql(path_, "UPDATE segments SET segments = x'" + hex + "' WHERE model = 2");
+        return findings().size();
+    };
+    EXPECT_EQ(with_segments(*model.segments), 0U);
+    ModelSegments longer = *model.segments;
+    longer.labels.push_back(0);
+    EXPECT_EQ(with_segments(longer), 1U);
+    ModelSegments elsewhere = *model.segments;
+    elsewhere.parts[0].branch = static_cast<std::int32_t>(model.skeleton.branches.size());
+    EXPECT_EQ(with_segments(elsewhere), 1U);
+}
+
 TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
     const std::string whole = test::read_file(path_);
     // Every page, at places that move through the page; the first hundred bytes one by one.
@@ -195,6 +222,7 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
         for (ModelId id = 1; id <= 6; ++id) {
             (void)store->skeleton(id);
             (void)store->preview(id);
+            (void)store->segments(id);
             (void)store->thumbnail(id);
         }
         (void)store->verify();
@@ -248,6 +276,9 @@ TEST_P(OldVersion, IsMigratedForReadersToo) {
     ASSERT_TRUE(store) << store.error().message;
     EXPECT_EQ(store->models()->total, 1U);
     EXPECT_FALSE(store->statistics()->has_value());
+    const auto segments = store->segments(1);
+    ASSERT_TRUE(segments) << segments.error().message;
+    EXPECT_EQ(segments->has_value(), store->parameters().pipeline >= kFirstPipelineWithSegments);
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, OldVersion, testing::Range(1, schema_version() + 1),

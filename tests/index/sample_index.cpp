@@ -107,7 +107,10 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
     }
     for (int i = 0; i < 16; ++i) model.descriptor.signature.push_back(numbers.small());
     model.preview.positions = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, numbers.small(), 0.0F};
-    model.preview.triangles = {0, 1, 2};
+    model.preview.triangles = {0, 1, 2, 0, 2, 1, 2, 1, 0};
+    model.segments.emplace();
+    model.segments->parts = {{2, numbers.real(), 0, {1}}, {1, numbers.real(), -1, {0}}};
+    model.segments->labels = {0, 1, 0};
     model.thumbnail = {
         0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', static_cast<std::uint8_t>(seed)};
     return model;
@@ -163,7 +166,7 @@ std::string index_text(const fs::path& path) {
     std::string text;
     for (const std::string table :
          {"parameters", "state", "models", "signatures", "descriptors", "skeletons", "branches",
-          "previews", "thumbnails", "failures", "statistics", "evaluations"}) {
+          "previews", "segments", "thumbnails", "failures", "statistics", "evaluations"}) {
         text += "== " + table + "\n";
         SQLite::Statement rows(database, "SELECT * FROM " + table + " ORDER BY 1, 2");
         while (rows.executeStep()) {
@@ -207,10 +210,13 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
     for (const index::Migration& migration : index::migrations()) {
         if (migration.version <= version) database.exec(std::string(migration.sql));
     }
+    const bool with_segments = version >= 3;
+    const int pipeline =
+        with_segments ? index::kPipelineVersion : index::kFirstPipelineWithSegments - 1;
     database.exec(
         "INSERT INTO parameters VALUES ('resolution', '96'), ('thinning', 'anchored'), "
         "('pipeline', '" +
-        std::to_string(index::kPipelineVersion) + "'); UPDATE state SET revision = 1;");
+        std::to_string(pipeline) + "'); UPDATE state SET revision = 1;");
     const std::size_t nodes = model.skeleton.nodes.size();
     const std::size_t branches = model.skeleton.branches.size();
     SQLite::Statement row(
@@ -238,6 +244,9 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
             index::encode_globals(model.descriptor.globals)});
     insert("INSERT INTO skeletons VALUES (1, ?)", {index::encode_skeleton(model.skeleton)});
     insert("INSERT INTO previews VALUES (1, ?)", {index::encode_preview(model.preview)});
+    if (with_segments) {
+        insert("INSERT INTO segments VALUES (1, ?)", {index::encode_segments(*model.segments)});
+    }
     for (std::size_t i = 0; i < branches; ++i) {
         const SkeletonGraph::Branch& branch = model.skeleton.branches[i];
         SQLite::Statement statement(database, "INSERT INTO branches VALUES (1, ?, ?, ?, ?, ?)");

@@ -57,6 +57,10 @@ TEST_F(StoreTest, GivesBackWhatWasPut) {
     ASSERT_EQ(skeleton->chain_codes.size(), model.descriptor.skeleton.branches.size());
     EXPECT_EQ(skeleton->chain_codes[0], model.descriptor.skeleton.branches[0].chain_code);
     EXPECT_EQ(store.preview(*id)->triangles, model.preview.triangles);
+    const auto segments = store.segments(*id);
+    ASSERT_TRUE(segments && *segments);
+    EXPECT_EQ(encode_segments(**segments), encode_segments(*model.segments));
+    EXPECT_EQ((*segments)->parts[0].triangles, 2U);
     EXPECT_EQ(*store.thumbnail(*id), model.thumbnail);
     const std::vector<ModelId> ids = {*id};
     const auto descriptors = store.descriptors(ids);
@@ -107,10 +111,11 @@ TEST_F(StoreTest, RemovesAModelWithAllItsParts) {
     EXPECT_EQ(store.model(id).error().code, ErrorCode::kModelNotFound);
     EXPECT_EQ(store.skeleton(id).error().code, ErrorCode::kModelNotFound);
     EXPECT_EQ(store.preview(id).error().code, ErrorCode::kModelNotFound);
+    EXPECT_EQ(store.segments(id).error().code, ErrorCode::kModelNotFound);
     EXPECT_EQ(store.thumbnail(id).error().code, ErrorCode::kModelNotFound);
     EXPECT_EQ(store.remove(id).error().code, ErrorCode::kModelNotFound);
-    for (const char* table :
-         {"signatures", "descriptors", "skeletons", "branches", "previews", "thumbnails"}) {
+    for (const char* table : {"signatures", "descriptors", "skeletons", "branches", "previews",
+                              "segments", "thumbnails"}) {
         EXPECT_EQ(test::index_text(path_).find(std::string("== ") + table + "\nmodel"),
                   std::string::npos)
             << table;
@@ -152,6 +157,11 @@ TEST_F(StoreTest, RefusesDescriptionsThatCouldNotBeRead) {
     const auto put = store.put(model);
     ASSERT_FALSE(put);
     EXPECT_EQ(put.error().code, ErrorCode::kInternal);
+    NewModel short_of_labels = test::sample_model(2, "/m/b.off");
+    short_of_labels.segments->labels = {0, 1};
+    const auto put_short = store.put(short_of_labels);
+    ASSERT_FALSE(put_short);
+    EXPECT_EQ(put_short.error().code, ErrorCode::kInternal);
     EXPECT_EQ(store.models()->total, 0U);
 }
 

@@ -2,7 +2,11 @@
 
 #include <set>
 
+#include "engine/mesh/write_mesh.h"
+#include "index/describe_model.h"
+#include "index/store.h"
 #include "tests/server/test_server.h"
+#include "tests/support/shapes.h"
 
 namespace ossuary::test {
 namespace {
@@ -83,13 +87,17 @@ TEST_F(Models, GivesEachModelWithItsParts) {
         const auto segments = server_.json(get(path + "/segments"));
         EXPECT_EQ(segments["labels"].size() * 3, mesh["triangles"].size());
         std::size_t triangles = 0;
+        double area = 0.0;
         for (const auto& part : segments["parts"]) {
             triangles += part["triangles"].get<std::size_t>();
+            area += part["area"].get<double>();
             if (!part["branch"].is_null()) {
                 EXPECT_LT(part["branch"].get<std::size_t>(), skeleton["branches"].size());
             }
         }
         EXPECT_EQ(triangles, segments["labels"].size());
+        const double surface = listed["surface_area"].get<double>();
+        EXPECT_NEAR(area, surface, 1e-9 * surface) << "of the whole mesh, not of its preview";
         const auto rig = server_.ask(get(path + "/rig.glb"));
         EXPECT_EQ(rig.status, 200);
         EXPECT_EQ(rig.header("Content-Type"), "model/gltf-binary");
@@ -99,6 +107,27 @@ TEST_F(Models, GivesEachModelWithItsParts) {
         EXPECT_EQ(gltf["meshes"][0]["primitives"].size(), segments["parts"].size());
         EXPECT_GT(gltf["skins"][0]["joints"].size(), skeleton["branches"].size());
     }
+}
+
+TEST_F(Models, SaysWhyAModelHasNoParts) {
+    auto store = index::Store::open(index_, index::Access::kReadWrite);
+    ASSERT_TRUE(store);
+    const std::string off = to_off(torus_mesh(3.0, 1.0, 16, 8));
+    auto model = index::describe_model(off, "whole", store->parameters());
+    ASSERT_TRUE(model && model->segments);
+    model->summary.name = "whole";
+    model->segments.reset();
+    model->summary.warnings.push_back(
+        {std::string(index::kSegmentsMissing), 1, "it took too long"});
+    const auto id = store->put(*std::move(model));
+    ASSERT_TRUE(id) << id.error().message;
+    const std::string path = "/v1/models/" + std::to_string(*id);
+    for (const char* part : {"/segments", "/rig.glb"}) {
+        const auto problem = server_.json(get(path + part), 404);
+        EXPECT_EQ(problem["code"], "segments_not_available");
+        EXPECT_NE(problem["detail"].get<std::string>().find("it took too long"), std::string::npos);
+    }
+    EXPECT_EQ(server_.ask(get(path + "/mesh")).status, 200);
 }
 
 TEST_F(Models, SaysWhichModelsThereAreNot) {

@@ -1,0 +1,123 @@
+#include "index/model_segments.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/decomposition/decompose.h"
+#include "engine/mesh/decimate.h"
+#include "engine/mesh/measures.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/mesh/write_mesh.h"
+#include "index/describe_model.h"
+#include "tests/index/sample_index.h"
+#include "tests/support/benchmark_data.h"
+#include "tests/support/shapes.h"
+
+namespace ossuary::index {
+namespace {
+
+namespace fs = std::filesystem;
+
+NewModel described(const fs::path& path) {
+    auto model = describe_model(test::read_file(path), path.string(), {});
+    EXPECT_TRUE(model) << model.error().message;
+    return *std::move(model);
+}
+
+/// The share of the preview's area that each part has.
+std::vector<double> shares_on_preview(const NewModel& model) {
+    TriangleMesh mesh;
+    const auto& positions = model.preview.positions;
+    for (std::size_t i = 0; i < positions.size(); i += 3) {
+        mesh.vertices.push_back(
+            Vec3f(positions[i], positions[i + 1], positions[i + 2]).cast<double>());
+    }
+    std::vector<double> shares(model.segments->parts.size(), 0.0);
+    double total = 0.0;
+    for (std::size_t t = 0; t < model.segments->labels.size(); ++t) {
+        mesh.triangles.push_back({model.preview.triangles[3 * t],
+                                  model.preview.triangles[3 * t + 1],
+                                  model.preview.triangles[3 * t + 2]});
+        const double area = triangle_area(mesh, t);
+        shares[model.segments->labels[t]] += area;
+        total += area;
+    }
+    for (double& share : shares) share /= total;
+    return shares;
+}
+
+TEST(ModelSegments, AreThoseOfTheFile) {
+    OSSUARY_REQUIRE_BENCHMARK_DATA(data);
+    // Machine parts that a preview is too coarse to be cut by, an armadillo, an ant, a chair.
+    for (const char* name : {"325.off", "341.off", "281.off", "81.off", "101.off"}) {
+        SCOPED_TRACE(name);
+        const fs::path path = data / "princeton-segmentation" / "off" / name;
+        const auto mesh = read_mesh(path);
+        ASSERT_TRUE(mesh) << mesh.error().message;
+        const auto whole = decompose(mesh->mesh);
+        ASSERT_TRUE(whole) << whole.error().message;
+        const NewModel model = described(path);
+        ASSERT_TRUE(model.segments);
+        const auto& parts = model.segments->parts;
+        ASSERT_EQ(parts.size(), whole->parts.size());
+        const double area = measure(mesh->mesh).surface_area;
+        const auto on_preview = shares_on_preview(model);
+        std::size_t triangles = 0;
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            EXPECT_EQ(parts[p].area, whole->parts[p].area) << p;
+            EXPECT_EQ(parts[p].neighbors, whole->parts[p].neighbors) << p;
+            EXPECT_NEAR(on_preview[p], whole->parts[p].area / area, 0.03) << p;
+            EXPECT_GE(parts[p].triangles, 1U) << p;
+            triangles += parts[p].triangles;
+        }
+        EXPECT_EQ(triangles * 3, model.preview.triangles.size());
+    }
+}
+
+TEST(ModelSegments, NameBranchesOfTheStoredSkeleton) {
+    const auto model = describe_model(to_off(test::capsule_tree_mesh()), "tree", {});
+    ASSERT_TRUE(model && model->segments);
+    std::size_t named = 0;
+    for (const auto& part : model->segments->parts) {
+        EXPECT_LT(part.branch, static_cast<std::int32_t>(model->skeleton.branches.size()));
+        if (part.branch >= 0) ++named;
+    }
+    EXPECT_EQ(named, model->segments->parts.size());
+}
+
+TEST(ModelSegments, AModelWhoseTimeIsOverIsKeptWithoutThem) {
+    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const TriangleMesh coarse = decimate(mesh);
+    NewModel model = test::sample_model(1, "/m/a.off");
+    model.preview = make_preview(coarse);
+    model.segments.reset();
+    std::stop_source stopped;
+    stopped.request_stop();
+    add_segments(model, mesh, coarse, stopped.get_token());
+    EXPECT_FALSE(model.segments);
+    ASSERT_FALSE(model.summary.warnings.empty());
+    EXPECT_EQ(model.summary.warnings.back().code, kSegmentsMissing);
+
+    test::TemporaryFolder folder;
+    auto store = Store::create_or_open(folder.path() / "x.ossuary", {});
+    ASSERT_TRUE(store);
+    const auto id = store->put(model);
+    ASSERT_TRUE(id) << id.error().message;
+    const auto read = store->segments(*id);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_FALSE(read->has_value());
+    ASSERT_TRUE(store->put_statistics({{1.0}}, *store->revision()));
+    test::expect_sound(*store);
+}
+
+TEST(ModelSegments, OfAnotherPreviewAreNoRig) {
+    const NewModel model = test::sample_model(1, "/m/a.off");
+    ModelSegments other = *model.segments;
+    other.labels.push_back(0);
+    EXPECT_TRUE(model_rig(model.preview, *model.segments, model.skeleton, "a"));
+    const auto rig = model_rig(model.preview, other, model.skeleton, "a");
+    ASSERT_FALSE(rig);
+    EXPECT_EQ(rig.error().code, ErrorCode::kIndexCorrupt);
+}
+
+}  // namespace
+}  // namespace ossuary::index
