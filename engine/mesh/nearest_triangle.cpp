@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "engine/mesh/vertex_normals.h"
@@ -45,38 +44,41 @@ NearestTriangle::NearestTriangle(const TriangleMesh& mesh, double turned_distanc
       normals_(triangle_normals(mesh)),
       order_(mesh.triangles.size()) {
     assert(!mesh.triangles.empty());
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::vector<Vec3> centers;
-    centers.reserve(order_.size());
-    for (std::size_t t = 0; t < order_.size(); ++t) {
+    std::vector<Item> items;
+    items.reserve(order_.size());
+    for (std::uint32_t t = 0; t < order_.size(); ++t) {
         const auto [a, b, c] = mesh.corners(t);
-        centers.emplace_back((a + b + c) / 3.0);
+        items.push_back({(a + b + c) / 3.0, t});
     }
-    nodes_.reserve(2 * order_.size() / kLeafTriangles + 1);
-    build(centers, 0, static_cast<std::uint32_t>(order_.size()));
+    nodes_.reserve(4 * order_.size() / kLeafTriangles + 1);
+    build(items, 0, static_cast<std::uint32_t>(items.size()));
 }
 
-void NearestTriangle::build(const std::vector<Vec3>& centers, std::uint32_t begin,
-                            std::uint32_t end) {
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
+Box3 NearestTriangle::build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end) {
+    const std::size_t node = nodes_.size();
     nodes_.push_back({Box3(), begin, end - begin});
-    Box3 of_centers;
-    for (std::uint32_t i = begin; i < end; ++i) {
-        for (const Vec3& corner : mesh_.corners(order_[i])) nodes_[node].box.extend(corner);
-        of_centers.extend(centers[order_[i]]);
+    Box3 box;
+    if (end - begin <= kLeafTriangles) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+            order_[i] = items[i].triangle;
+            for (const Vec3& corner : mesh_.corners(order_[i])) box.extend(corner);
+        }
+    } else {
+        Box3 of_centers;
+        for (std::uint32_t i = begin; i < end; ++i) of_centers.extend(items[i].center);
+        Eigen::Index axis = 0;
+        of_centers.sizes().maxCoeff(&axis);
+        const std::uint32_t middle = begin + (end - begin) / 2;
+        std::nth_element(
+            items.begin() + begin, items.begin() + middle, items.begin() + end,
+            [axis](const Item& a, const Item& b) { return a.center[axis] < b.center[axis]; });
+        box = build(items, begin, middle);
+        nodes_[node].count = 0;
+        nodes_[node].first = static_cast<std::uint32_t>(nodes_.size());
+        box.extend(build(items, middle, end));
     }
-    if (end - begin <= kLeafTriangles) return;
-    Eigen::Index axis = 0;
-    of_centers.sizes().maxCoeff(&axis);
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](std::uint32_t a, std::uint32_t b) {
-                         return std::pair(centers[a][axis], a) < std::pair(centers[b][axis], b);
-                     });
-    nodes_[node].count = 0;
-    build(centers, begin, middle);
-    nodes_[node].first = static_cast<std::uint32_t>(nodes_.size());
-    build(centers, middle, end);
+    nodes_[node].box = box;
+    return box;
 }
 
 void NearestTriangle::search(std::uint32_t node, Query& query) const {

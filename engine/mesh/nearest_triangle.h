@@ -38,7 +38,12 @@ private:
         double best_cost = 0.0;
         std::uint32_t best = 0;
     };
-    void build(const std::vector<Vec3>& centers, std::uint32_t begin, std::uint32_t end);
+    struct Item {
+        Vec3 center;
+        std::uint32_t triangle = 0;
+    };
+    /// The box of what it has built.
+    Box3 build(std::vector<Item>& items, std::uint32_t begin, std::uint32_t end);
     void search(std::uint32_t node, Query& query) const;
 
     const TriangleMesh& mesh_;
