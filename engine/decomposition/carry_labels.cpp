@@ -92,8 +92,8 @@ Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& 
                     std::to_string(copy.triangles.size()) + " triangles"};
     }
     const WeldResult welded = weld(mesh);
-    const bool same = welded.mesh.triangles == copy.triangles &&
-                      welded.mesh.vertices == copy.vertices;
+    const bool same =
+        welded.mesh.triangles == copy.triangles && welded.mesh.vertices == copy.vertices;
     const std::vector<std::uint32_t> sources =
         same ? welded.source_triangle : nearest_triangles(mesh, copy);
     Segmentation carried{{}, segmentation.parts};
