@@ -31,9 +31,8 @@ TEST(Form, GivesPartsWithTheirNamesAndBytes) {
 }
 
 TEST(Form, SkipsAPreamble) {
-    const auto form =
-        parse_form("Multipart/Form-Data; boundary=\"xyz\"",
-                   "nothing\r\n" + part("form-data; name=\"model\"", "a") + "--xyz--");
+    const std::string body = "nothing\r\n" + part("form-data; name=\"model\"", "a") + "--xyz--";
+    const auto form = parse_form("Multipart/Form-Data; boundary=\"xyz\"", body);
     ASSERT_TRUE(form);
     EXPECT_EQ(form->at(0).content, "a");
 }
