@@ -14,18 +14,17 @@ Ballot::Ballot(const Vec3i& low, const Vec3i& high)
       blocked_(voxel_count(), 0),
       verdict_(voxel_count(), kUndecided) {}
 
-void Ballot::cast(const LineDirection& direction, std::span<const Crossing> line) {
+void Ballot::cast(const LineDirection& direction, std::int32_t u, std::int32_t v,
+                  std::span<const std::int32_t> depths) {
     const std::int32_t first = low_[direction.axis];
     const std::int32_t end = first + size_[direction.axis];
-    const std::int32_t u = line[0].u;
-    const std::int32_t v = line[0].v;
-    if (line.size() % 2 != 0) {
+    if (depths.size() % 2 != 0) {
         add(silent_, direction, u, v, first, end);
         return;
     }
-    for (std::size_t i = 0; i < line.size(); i += 2) {
-        add(inside_, direction, u, v, std::max(first, first_centre_from(line[i].depth)),
-            std::min(end, first_centre_from(line[i + 1].depth)));
+    for (std::size_t i = 0; i < depths.size(); i += 2) {
+        add(inside_, direction, u, v, std::max(first, first_centre_from(depths[i])),
+            std::min(end, first_centre_from(depths[i + 1])));
     }
 }
 

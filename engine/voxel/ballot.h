@@ -16,9 +16,11 @@ public:
     /// Of the voxels in [low, high).
     Ballot(const Vec3i& low, const Vec3i& high);
 
-    /// Takes the vote of one line by all its crossings: by parity if they are even in number; else
-    /// the line has passed through a hole and is silent. Lines without crossings say outside.
-    void cast(const LineDirection& direction, std::span<const Crossing> line);
+    /// Takes the vote of the line (u, v) by the depths of all its crossings, in order: by parity if
+    /// they are even in number; else the line has passed through a hole and is silent. Lines
+    /// without crossings say outside.
+    void cast(const LineDirection& direction, std::int32_t u, std::int32_t v,
+              std::span<const std::int32_t> depths);
 
     /// Notes that there is a surface between the voxel and the one before it along an axis.
     void block(int axis, const Vec3i& voxel);

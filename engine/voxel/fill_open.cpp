@@ -1,10 +1,10 @@
 #include "engine/voxel/fill_open.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "engine/voxel/ballot.h"
+#include "engine/voxel/line_depths.h"
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
@@ -13,8 +13,7 @@ namespace {
 /// Larger boxes are voted on slab by slab, so that memory stays within some hundred megabytes.
 constexpr std::int64_t kMaxBallotVoxels = std::int64_t{1} << 25;
 
-void vote(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
-          const SurfaceParts& parts, BitVolume& volume) {
+void vote(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles, BitVolume& volume) {
     Vec3i low = mesh.high, high = mesh.low;
     for (const std::uint32_t t : triangles) {
         for (const std::uint32_t p : mesh.triangles[t]) {
@@ -23,25 +22,26 @@ void vote(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
             high = high.cwiseMax(voxel + Vec3i::Ones());
         }
     }
-    std::array<std::vector<Crossing>, kThirteenDirections.size()> crossings;
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-        crossings[i] = cast_lines(mesh, triangles, parts.part_of, kThirteenDirections[i]);
+    std::vector<LineDepths> lines;
+    for (const LineDirection& direction : kThirteenDirections) {
+        lines.emplace_back(mesh, triangles, direction);
     }
     const std::int64_t slice = std::int64_t{high.x() - low.x()} * (high.y() - low.y());
     const int slab = static_cast<int>(std::max<std::int64_t>(kMaxBallotVoxels / slice, 1));
     for (int z = low.z(); z < high.z(); z += slab) {
         Ballot ballot({low.x(), low.y(), z}, {high.x(), high.y(), std::min(z + slab, high.z())});
-        for (std::size_t i = 0; i < crossings.size(); ++i) {
+        for (std::size_t i = 0; i < lines.size(); ++i) {
             const LineDirection& direction = kThirteenDirections[i];
             const bool along_axis = direction.shear[0] == 0 && direction.shear[1] == 0;
-            for_each_line(crossings[i], [&](std::span<const Crossing> line) {
-                ballot.cast(direction, line);
-                for (const Crossing& c : line) {
-                    if (!along_axis) break;
-                    const std::int32_t k = first_centre_from(c.depth);
-                    ballot.block(direction.axis, voxel_on_line(direction, c.u, c.v, k));
-                }
-            });
+            lines[i].for_each_line(
+                [&](std::int32_t u, std::int32_t v, std::span<const std::int32_t> depths) {
+                    ballot.cast(direction, u, v, depths);
+                    for (const std::int32_t depth : depths) {
+                        if (!along_axis) break;
+                        const std::int32_t k = first_centre_from(depth);
+                        ballot.block(direction.axis, voxel_on_line(direction, u, v, k));
+                    }
+                });
         }
         ballot.count(volume);
     }
@@ -67,9 +67,9 @@ void fill_open_parts(const GridMesh& mesh, const SurfaceParts& parts, BitVolume&
         if (triangles.empty()) continue;
         ++open_parts;
         // Fewer than three triangles enclose nothing from more than one side.
-        if (triangles.size() >= 3) vote(mesh, triangles, parts, volume);
+        if (triangles.size() >= 3) vote(mesh, triangles, volume);
     }
-    if (open_parts > 1) vote(mesh, all, parts, volume);
+    if (open_parts > 1) vote(mesh, all, volume);
 }
 
 }  // namespace ossuary

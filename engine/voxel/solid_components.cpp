@@ -1,6 +1,7 @@
 #include "engine/voxel/solid_components.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -23,19 +24,6 @@ struct Bridge {
         return std::tuple(squared_length, a.z(), a.y(), a.x(), b.z(), b.y(), b.x());
     }
 };
-
-std::vector<Vec3i> offsets_within(int gap) {
-    const int reach = gap + 1;
-    std::vector<Vec3i> offsets;
-    for (int z = -reach; z <= reach; ++z) {
-        for (int y = -reach; y <= reach; ++y) {
-            for (int x = -reach; x <= reach; ++x) {
-                if (Vec3i(x, y, z).cwiseAbs().maxCoeff() > 1) offsets.emplace_back(x, y, z);
-            }
-        }
-    }
-    return offsets;
-}
 
 /// Finds the component of a voxel among the runs by bisection.
 class ComponentOf {
@@ -65,32 +53,72 @@ private:
     std::vector<std::size_t> begin_;
 };
 
-/// The shortest bridge between every two components that are near enough.
+/// Bits [x, x + 8) of a row; what lies outside is clear. @pre x > -8
+std::uint64_t window(std::span<const std::uint64_t> row, int x) {
+    if (x < 0) return (row[0] << -x) & 255;
+    const auto word = static_cast<std::size_t>(x >> 6);
+    const int bit = x & 63;
+    if (word >= row.size()) return 0;
+    std::uint64_t bits = row[word] >> bit;
+    if (bit > 56 && word + 1 < row.size()) bits |= row[word + 1] << (64 - bit);
+    return bits & 255;
+}
+
+/// Calls visit(Vec3i) for the voxels of `volume` but not of `own` within `reach` along each axis.
+template <typename Visit>
+void for_each_near(const BitVolume& volume, const BitVolume& own, const Vec3i& at, int reach,
+                   Visit&& visit) {
+    const std::uint64_t wanted = (std::uint64_t{2} << (2 * reach)) - 1;
+    const Vec3i low = (at.array() - reach).max(0);
+    const Vec3i high = (at.array() + reach).min(volume.size().array() - 1);
+    const int x = at.x() - reach;
+    for (int z = low.z(); z <= high.z(); ++z) {
+        for (int y = low.y(); y <= high.y(); ++y) {
+            const std::uint64_t all = window(volume.row(y, z), x) & wanted;
+            if (all == 0) continue;
+            for (std::uint64_t bits = all & ~window(own.row(y, z), x); bits != 0;
+                 bits &= bits - 1) {
+                visit(Vec3i(x + std::countr_zero(bits), y, z));
+            }
+        }
+    }
+}
+
+/// The shortest bridge between every two components that are near enough. Component by component,
+/// with its own voxels taken away: a third of the time of a soup of 7,300 triangles went into
+/// finding out that what is near is the component itself.
 std::vector<Bridge> find_bridges(const BitVolume& volume, const Components& components, int gap) {
     const ComponentOf component_of(components, volume);
-    const std::vector<Vec3i> offsets = offsets_within(gap);
+    // Looking out from all but the largest component finds every pair.
     const auto largest = static_cast<std::uint32_t>(
         std::max_element(components.voxel_counts.begin(), components.voxel_counts.end()) -
         components.voxel_counts.begin());
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Bridge> best;
-    // Looking out from all but the largest component finds every pair.
-    BitVolume others(volume.size());
+    std::vector<std::vector<VoxelRun>> runs_of(components.count());
     for (const VoxelRun& run : components.runs) {
-        if (run.component != largest) set_run(others, run);
+        if (run.component != largest) runs_of[run.component].push_back(run);
     }
-    for_each_voxel(border(others), [&](const Vec3i& a) {
-        const std::uint32_t from = component_of(a);
-        for (const Vec3i& offset : offsets) {
-            const Vec3i b = a + offset;
-            if (!volume.test_or_false(b)) continue;
-            const std::uint32_t to = component_of(b);
-            if (to == from) continue;
-            const bool in_order = std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
-            const Bridge bridge{offset.squaredNorm(), in_order ? a : b, in_order ? b : a};
-            const auto [place, added] = best.try_emplace(std::minmax(from, to), bridge);
-            if (!added && bridge.key() < place->second.key()) place->second = bridge;
+    const BitVolume outline = border(volume);
+    BitVolume own(volume.size());
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Bridge> best;
+    for (const auto& runs : runs_of) {
+        for (const VoxelRun& run : runs) set_run(own, run);
+        for (const VoxelRun& run : runs) {
+            for (int x = run.begin; x < run.end; ++x) {
+                const Vec3i a(x, run.y, run.z);
+                if (!outline.test(a)) continue;
+                for_each_near(volume, own, a, gap + 1, [&](const Vec3i& b) {
+                    const bool in_order =
+                        std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
+                    const Bridge bridge{(b - a).squaredNorm(), in_order ? a : b, in_order ? b : a};
+                    const std::uint32_t other = component_of(b);
+                    const auto [place, added] =
+                        best.try_emplace(std::minmax(run.component, other), bridge);
+                    if (!added && bridge.key() < place->second.key()) place->second = bridge;
+                });
+            }
         }
-    });
+        for (const VoxelRun& run : runs) reset_run(own, run);
+    }
     std::vector<Bridge> bridges;
     for (const auto& [pair, bridge] : best) bridges.push_back(bridge);
     std::sort(bridges.begin(), bridges.end(),
