@@ -67,6 +67,14 @@ public:
         return total;
     }
 
+    /// Whether no voxel is set.
+    [[nodiscard]] bool empty() const {
+        for (const std::uint64_t word : words_) {
+            if (word != 0) return false;
+        }
+        return true;
+    }
+
     bool operator==(const BitVolume&) const = default;
 
 private:

@@ -81,7 +81,7 @@ void fill(const GridMesh& mesh, const SurfaceParts& parts, bool keep_thin, Voxel
     Thin* const kept = keep_thin ? &thin : nullptr;
     if (!closed.empty()) sample_closed_parts(mesh, parts, closed, solid.volume, kept);
     if (!open.empty()) sample_open_parts(mesh, parts, open, solid.volume, kept);
-    const bool encloses = solid.volume.count() > 0;
+    const bool encloses = !solid.volume.empty();
     solid.method = !encloses      ? "surface"
                    : open.empty() ? "winding"
                                   : (closed.empty() ? "voting" : "winding+voting");
@@ -154,7 +154,7 @@ Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& opt
     fill(*grid, parts, options.keep_thin_parts, solid);
 
     tidy(*grid, parts, options, solid);
-    if (solid.volume.count() == 0) {
+    if (solid.volume.empty()) {
         return {ErrorCode::kSolidEmpty, "no voxel is inside or on the surface"};
     }
     return solid;
