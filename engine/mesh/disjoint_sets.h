@@ -19,6 +19,12 @@ public:
     /// @param parents  for each item itself or a smaller one of the same set
     explicit DisjointSets(std::vector<std::uint32_t> parents) : parent_(std::move(parents)) {}
 
+    /// One item more, in a set of its own.
+    std::uint32_t add() {
+        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+        return parent_.back();
+    }
+
     std::uint32_t find(std::uint32_t item) {
         while (parent_[item] != item) {
             parent_[item] = parent_[parent_[item]];

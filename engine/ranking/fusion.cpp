@@ -10,8 +10,8 @@ namespace {
 /// Tree edit distance, skeleton pairs, skeleton layout; views, surface pairs, local volume, radial
 /// thickness. `skeleton` without the layout: first tier of the ten classes .869; with 1, 2 and 3 of
 /// it .874, .881 and .881, and the armadillo's poses are told from other models with an AUC of
-/// .9999, .9999 and .9997. `hybrid` is flat near the optimum on the ten classes (.884): halving or
-/// doubling any one weight changes it by less than one point.
+/// .9999, .9999 and .9997. Before nearness, `hybrid` was flat near the optimum on the ten classes
+/// (.884): halving or doubling any one weight changed it by less than one point.
 constexpr ComponentValues kSkeletonWeights = {5.0, 4.0, 2.0, 0.0, 0.0, 0.0, 0.0};
 constexpr ComponentValues kHybridWeights = {5.0, 2.5, 1.0, 4.0, 1.5, 1.0, 1.5};
 /// Of the tree edit distance's weight under `skeleton`, what stays where the skeleton tells

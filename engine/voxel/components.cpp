@@ -2,34 +2,11 @@
 
 #include <algorithm>
 
+#include "engine/mesh/disjoint_sets.h"
 #include "engine/voxel/inner_runs.h"
 
 namespace ossuary {
 namespace {
-
-class DisjointSets {
-public:
-    std::uint32_t add() {
-        parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-        return parent_.back();
-    }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    /// The smaller index stays the root, so that components are numbered by their first run.
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 /// Unites the runs of two rows that touch; `reach` is 0 when faces count and 1 when corners do.
 void unite_rows(const std::vector<VoxelRun>& runs, std::size_t a, std::size_t a_end, std::size_t b,
@@ -57,7 +34,7 @@ Components label(const BitVolume& volume, Connectivity connectivity, bool outsid
     const Vec3i size = volume.size();
     const int reach = connectivity == Connectivity::kVertices ? 1 : 0;
     Components result;
-    DisjointSets sets;
+    DisjointSets sets(0);
     if (outside) sets.add();
     std::vector<std::size_t> row_begin;
     const auto row_of = [&](int y, int z) {

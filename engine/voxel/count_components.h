@@ -6,7 +6,8 @@
 
 namespace ossuary {
 
-/// The number of 26-connected components of the set voxels. A fifth of the time of labelling them.
+/// The number of 26-connected components of the set voxels. Two fifths of the time of
+/// labelling them.
 [[nodiscard]] std::size_t count_components(const BitVolume& volume);
 
 }  // namespace ossuary

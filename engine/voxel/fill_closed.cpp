@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/voxel/components.h"
+#include "engine/voxel/crossing_finder.h"
 
 namespace ossuary {
 namespace {
@@ -60,17 +61,19 @@ void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, 
                      });
 }
 
-void add_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
+void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles, int axis,
                  const BitVolume& solid, std::vector<Vec3i>& voxels) {
     const LineDirection& direction = kAxisDirections[static_cast<std::size_t>(axis)];
-    for (const Crossing& c : crossings) {
-        const std::int32_t behind = first_centre_from(c.depth);
-        if (solid.test_or_false(voxel_on_line(direction, c.u, c.v, behind)) ||
-            solid.test_or_false(voxel_on_line(direction, c.u, c.v, behind - 1))) {
-            continue;
-        }
-        voxels.push_back(voxel_at(c.u, c.v, c.depth, axis, mesh));
-    }
+    CrossingFinder(mesh, direction)
+        .find(triangles,
+              [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t, bool) {
+                  const std::int32_t behind = first_centre_from(depth);
+                  if (solid.test_or_false(voxel_on_line(direction, u, v, behind)) ||
+                      solid.test_or_false(voxel_on_line(direction, u, v, behind - 1))) {
+                      return;
+                  }
+                  voxels.push_back(voxel_at(u, v, depth, axis, mesh));
+              });
 }
 
 }  // namespace ossuary

@@ -21,9 +21,9 @@ void fill_inside(std::span<const Crossing> crossings, const SurfaceParts& parts,
 void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
                 const GridMesh& mesh, std::vector<Vec3i>& voxels);
 
-/// Appends the voxels in which lines along an axis cross a surface, unless a voxel of the solid has
-/// its centre right before or behind the crossing.
-void add_crossed(std::span<const Crossing> crossings, int axis, const GridMesh& mesh,
+/// Appends the voxels in which lines along an axis cross the triangles, unless a voxel of the solid
+/// has its centre right before or behind the crossing.
+void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles, int axis,
                  const BitVolume& solid, std::vector<Vec3i>& voxels);
 
 }  // namespace ossuary

@@ -72,7 +72,7 @@ public:
         }
         std::fill(marked_.begin(), marked_.end(), 0);
     }
-    [[nodiscard]] LinesPast take() {
+    [[nodiscard]] LineSubset take() {
         auto& triangles = past_.triangles;
         std::sort(triangles.begin(), triangles.end());
         triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
@@ -81,7 +81,7 @@ public:
 
 private:
     std::vector<std::uint8_t> marked_;
-    LinesPast past_;
+    LineSubset past_;
 };
 
 /// Bit i of the result is the sum modulo two of the bits up to i.
@@ -124,8 +124,8 @@ void mark_shared_lines(std::span<const Flip> flips, const SurfaceParts& parts,
 
 }  // namespace
 
-LinesPast fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> closed,
-                         const SurfaceParts& parts, BitVolume& volume) {
+LineSubset fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> closed,
+                          const SurfaceParts& parts, BitVolume& volume) {
     const FlipsByPlane flips = find_flips(mesh, closed, kAxisDirections[0]);
     const std::size_t words = volume.words_per_row();
     const auto lines = static_cast<std::size_t>(mesh.size.y());
@@ -159,7 +159,7 @@ LinesPast fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> cl
     return marks.take();
 }
 
-LinesPast find_shared_gaps(const GridMesh& mesh, const LinesPast& past, int axis) {
+LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int axis) {
     Marks marks(mesh, axis);
     if (past.triangles.empty()) return marks.take();
     LineDirection direction = kAxisDirections[static_cast<std::size_t>(axis)];

@@ -18,6 +18,12 @@ struct LineDirection {
     const BitVolume* only = nullptr;
 };
 
+/// Some of the lines along an axis.
+struct LineSubset {
+    BitVolume lines;  ///< bit (u, v, 0): the line with these coordinates along axis + 1, axis + 2
+    std::vector<std::uint32_t> triangles;  ///< all that a line crosses, and perhaps more
+};
+
 /// The three axes.
 inline constexpr std::array<LineDirection, 3> kAxisDirections = {LineDirection{0, {0, 0}, nullptr},
                                                                  LineDirection{1, {0, 0}, nullptr},

@@ -73,11 +73,11 @@ std::vector<std::uint32_t> find_thin_places(const GridMesh& mesh, const BitVolum
     return places;
 }
 
-LinesPast lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
-                     const std::vector<std::uint32_t>& thin_places, int axis) {
+LineSubset lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
+                      const std::vector<std::uint32_t>& thin_places, int axis) {
     const auto axis_u = static_cast<std::size_t>((axis + 1) % 3);
     const auto axis_v = static_cast<std::size_t>((axis + 2) % 3);
-    LinesPast past;
+    LineSubset past;
     past.lines =
         BitVolume({mesh.size[static_cast<int>(axis_u)], mesh.size[static_cast<int>(axis_v)], 1});
     if (thin_places.empty()) return past;

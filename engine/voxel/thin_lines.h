@@ -5,6 +5,7 @@
 
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/grid_mesh.h"
+#include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
 
@@ -18,13 +19,9 @@ inline constexpr std::int32_t kLongEdge = 4 * kGridOne;
 std::vector<std::uint32_t> find_thin_places(const GridMesh& mesh, const BitVolume& solid);
 
 /// The lines along an axis that pass by thin places, and what they may cross.
-struct LinesPast {
-    BitVolume lines;  ///< bit (u, v, 0): the line with these coordinates along axis + 1, axis + 2
-    std::vector<std::uint32_t> triangles;  ///< all that a line crosses, and some more
-};
 /// @param candidates  the triangles to choose from
 /// @param thin_places  find_thin_places
-LinesPast lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
-                     const std::vector<std::uint32_t>& thin_places, int axis);
+LineSubset lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
+                      const std::vector<std::uint32_t>& thin_places, int axis);
 
 }  // namespace ossuary

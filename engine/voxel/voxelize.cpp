@@ -32,7 +32,7 @@ struct Thin {
 };
 
 std::vector<Crossing> cast_lines_past(const GridMesh& mesh, const SurfaceParts& parts,
-                                      const LinesPast& past, int axis) {
+                                      const LineSubset& past, int axis) {
     LineDirection direction = kAxisDirections[static_cast<std::size_t>(axis)];
     direction.only = &past.lines;
     return cast_lines(mesh, past.triangles, parts.part_of, direction);
@@ -40,7 +40,7 @@ std::vector<Crossing> cast_lines_past(const GridMesh& mesh, const SurfaceParts& 
 
 void sample_closed_parts(const GridMesh& mesh, const SurfaceParts& parts,
                          const std::vector<std::uint32_t>& closed, BitVolume& volume, Thin* thin) {
-    const LinesPast unclear = fill_by_parity(mesh, closed, parts, volume);
+    const LineSubset unclear = fill_by_parity(mesh, closed, parts, volume);
     const auto crossings = cast_lines_past(mesh, parts, unclear, 0);
     fill_inside(crossings, parts, volume);
     if (thin == nullptr) return;
@@ -50,8 +50,8 @@ void sample_closed_parts(const GridMesh& mesh, const SurfaceParts& parts,
     // but for one.
     thin->places = find_thin_places(mesh, volume);
     for (int axis = 1; axis < 3; ++axis) {
-        const LinesPast past = lines_past(mesh, closed, thin->places, axis);
-        const LinesPast shared = find_shared_gaps(mesh, past, axis);
+        const LineSubset past = lines_past(mesh, closed, thin->places, axis);
+        const LineSubset shared = find_shared_gaps(mesh, past, axis);
         add_missed(cast_lines_past(mesh, parts, shared, axis), parts, axis, mesh, thin->voxels);
     }
 }
@@ -62,9 +62,7 @@ void sample_open_parts(const GridMesh& mesh, const SurfaceParts& parts,
     fill_open_parts(mesh, parts, volume);
     if (thin == nullptr) return;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto direction = kAxisDirections[static_cast<std::size_t>(axis)];
-        const auto crossings = cast_lines(mesh, open, parts.part_of, direction);
-        add_crossed(crossings, axis, mesh, volume, thin->voxels);
+        add_crossed(mesh, open, axis, volume, thin->voxels);
     }
     thin->places = find_thin_places(mesh, volume);
 }
