@@ -2,7 +2,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
 
 import { kClasses, kModelsPerClass, type WrittenModels, writeModels } from './models';
 import { buildIndex, type Server, startServer } from './server';
@@ -321,7 +321,9 @@ describe('the parts of a model', () => {
         expect(Math.hypot(dragged.x - from.x, dragged.y - from.y)).toBeGreaterThan(8);
         expect((await pictureOf(page)).equals(rest)).toBe(false);
         await page.getByRole('button', { name: 'Reset pose' }).click();
-        expect((await pictureOf(page)).equals(rest)).toBe(true);
+        await vi.waitFor(async () => expect((await pictureOf(page)).equals(rest)).toBe(true), {
+            timeout: 15_000,
+        });
         const back = await place();
         expect(Math.hypot(back.x - from.x, back.y - from.y)).toBeLessThan(1);
         expectGoodManners();
@@ -338,7 +340,9 @@ describe('the parts of a model', () => {
         expect((await pictureOf(page)).equals(rest)).toBe(false);
         await page.locator('.joint-handle').last().focus();
         await page.keyboard.press('Home');
-        expect((await pictureOf(page)).equals(rest)).toBe(true);
+        await vi.waitFor(async () => expect((await pictureOf(page)).equals(rest)).toBe(true), {
+            timeout: 15_000,
+        });
         await page.keyboard.press('Escape');
         await page.locator('dialog').waitFor({ state: 'detached' });
         expect(page.url()).toBe(`${server.origin}/#/models/${kModels}`);

@@ -91,10 +91,13 @@ export async function looksOf(target: Locator): Promise<{ colors: number; drawn:
 /** A picture of the element once two in a row are the same: everything under way has been drawn. */
 export async function settledPicture(target: Locator): Promise<Buffer> {
     let last = await target.screenshot();
+    let still = 0;
     for (let attempt = 0; attempt < 40; attempt++) {
         await target.page().waitForTimeout(150);
         const next = await target.screenshot();
-        if (next.equals(last)) {
+        // Twice: on a busy machine one frame may take longer than the wait.
+        still = next.equals(last) ? still + 1 : 0;
+        if (still === 2) {
             return next;
         }
         last = next;
