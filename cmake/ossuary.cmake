@@ -73,8 +73,6 @@ function(ossuary_add_test name)
     add_executable(${name} ${arg_SOURCES})
     ossuary_configure_target(${name})
     target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main)
-    target_compile_definitions(${name} PRIVATE
-        OSSUARY_SOURCE_DIR="${PROJECT_SOURCE_DIR}" OSSUARY_BINARY_DIR="${PROJECT_BINARY_DIR}")
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
         PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABELS}")
 endfunction()

@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace ossuary {
+inline namespace chain_code {
 namespace {
 
 constexpr double kLargestPathCost = 32000.0;  // leaves room for one more step in 16 bits
@@ -63,4 +64,5 @@ float alignment_cost(std::span<const DirectionStep> s, std::span<const Direction
     return static_cast<float>(row[p.size()] / (costs.unit() * longer));
 }
 
+}  // namespace chain_code
 }  // namespace ossuary

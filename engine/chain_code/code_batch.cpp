@@ -6,6 +6,7 @@
 #include <numeric>
 
 namespace ossuary {
+inline namespace chain_code {
 namespace {
 
 constexpr std::size_t kLanes = CodeBatch::kLanes;
@@ -139,4 +140,5 @@ void BatchAligner::align(std::span<const DirectionStep> code, std::span<float> r
     }
 }
 
+}  // namespace chain_code
 }  // namespace ossuary

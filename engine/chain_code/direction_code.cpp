@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace ossuary {
+inline namespace chain_code {
 namespace {
 
 constexpr double kSmallestRadius = 0.001;
@@ -110,4 +111,5 @@ std::vector<DirectionStep> direction_code(std::span<const Vec3f> points,
     return steps;
 }
 
+}  // namespace chain_code
 }  // namespace ossuary

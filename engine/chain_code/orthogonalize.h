@@ -6,6 +6,7 @@
 #include "engine/core/geometry.h"
 
 namespace ossuary {
+inline namespace chain_code {
 
 /// A branch as a path over voxels in which each step goes to a face neighbour (thesis sec. 3.3.2,
 /// "orthogonalization"): the voxels that the branch's points lie in, joined by unit steps. Where
@@ -17,4 +18,5 @@ namespace ossuary {
 ///         branch turns back on itself there
 [[nodiscard]] std::vector<Vec3i> orthogonalize(std::span<const Vec3> polyline);
 
+}  // namespace chain_code
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace chain_code {
 
 double StretchTwist::distance() const {
     const std::size_t changes = twists + stretches;
@@ -30,4 +31,5 @@ StretchTwist stretch_twist(std::string_view s, std::string_view p) {
     return result;
 }
 
+}  // namespace chain_code
 }  // namespace ossuary

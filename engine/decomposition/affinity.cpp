@@ -3,6 +3,7 @@
 #include <cmath>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 // In the order of PairFeature. On the ten classes, each class judged by weights that were fitted
@@ -56,4 +57,5 @@ std::vector<float> probability_together(const PatchPairs& pairs) {
     return together;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <nanoflann.hpp>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr std::size_t kFirstLook = 16;
@@ -81,4 +82,5 @@ std::uint32_t BranchMapping::branch_of(const Vec3& point, const Vec3& normal) co
     return branches_[best == vertices_.size() ? nearest : best];
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

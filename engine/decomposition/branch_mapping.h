@@ -8,6 +8,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// Finds the branch of a skeleton that a point of the surface belongs to (thesis sec. 3.4.1): with
 /// n_i the vector from a skeleton vertex to the point, n_j the surface's normal there and d_p the
@@ -35,4 +36,5 @@ private:
     std::unique_ptr<Tree> tree_;
 };
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -13,6 +13,7 @@
 #include "engine/mesh/weld.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// What a sheet that faces the other way counts as farther, in parts of the bounding box's
@@ -105,4 +106,5 @@ Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& 
     return carried;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// The parts of a mesh on a coarser copy of it (decimate.h): each triangle of the copy has the part
 /// of the triangle nearest to its centre, of sheets that lie together the one that faces the same
@@ -18,4 +19,5 @@ namespace ossuary {
 Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& segmentation,
                                   const TriangleMesh& copy);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// The mean distance of the surface from its centre of gravity, triangle by triangle.
@@ -65,4 +66,5 @@ std::optional<double> CutDiscrepancy::operator()(const Cuts& a, const Cuts& b) c
     return sum / static_cast<double>(count) / average_radius_;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

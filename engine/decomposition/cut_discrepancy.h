@@ -10,6 +10,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// How far the cuts of segmentations of one mesh lie apart, as the Princeton benchmark measures it
 /// (Chen, Golovinskiy and Funkhouser, 2009, sec. 4.1): the mean distance, along the edges of the
@@ -37,4 +38,5 @@ private:
     double average_radius_ = 0.0;  ///< model units
 };
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -15,6 +15,7 @@
 #include "engine/mesh/weld.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr int kResolution = 64;
@@ -218,4 +219,5 @@ Segmentation triangle_segmentation(const TriangleMesh& mesh, const Segmentation&
     return dense_segmentation(labels);
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

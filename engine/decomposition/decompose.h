@@ -16,6 +16,7 @@
 #include "engine/skeleton/skeletonize.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// The skeleton that a decomposition asks: coarser than retrieval's, which costs a third of the
 /// time and leaves the Rand index error where it is.
@@ -96,4 +97,5 @@ Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions
 [[nodiscard]] Segmentation triangle_segmentation(const TriangleMesh& mesh,
                                                  const Segmentation& faces);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr int kMeanShiftSteps = 8;
@@ -111,4 +112,5 @@ void refine_by_curvature(const VertexGraph& surface, std::vector<std::uint32_t>&
     }
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

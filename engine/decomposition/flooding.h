@@ -6,6 +6,7 @@
 #include "engine/decomposition/vertex_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 inline constexpr std::uint32_t kUnlabeled = 0xFFFFFFFFU;
 
@@ -27,4 +28,5 @@ struct CurvatureConsistencyOptions {
 void refine_by_curvature(const VertexGraph& surface, std::vector<std::uint32_t>& labels,
                          const CurvatureConsistencyOptions& options = {});
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/decomposition/vertex_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// Whether each vertex is among the samples: selection sampling (Knuth, The Art of Computer
@@ -57,4 +58,5 @@ std::vector<std::uint32_t> map_surface(const TriangleMesh& mesh, const SkeletonG
     return of_triangle;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

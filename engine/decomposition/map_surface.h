@@ -8,6 +8,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 struct MapSurfaceOptions {
     double sampled = 0.2;    ///< the share of the vertices that eq. 3.9 is asked for
@@ -25,4 +26,5 @@ struct MapSurfaceOptions {
 std::vector<std::uint32_t> map_surface(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
                                        const MapSurfaceOptions& options = {});
 
+}  // namespace decomposition
 }  // namespace ossuary

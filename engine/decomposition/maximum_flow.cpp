@@ -4,6 +4,7 @@
 #include <limits>
 
 namespace ossuary {
+inline namespace decomposition {
 
 void MaximumFlow::add_edge(std::uint32_t a, std::uint32_t b, std::int64_t capacity) {
     if (a == b) return;
@@ -71,4 +72,5 @@ std::vector<bool> MaximumFlow::source_side(std::uint32_t source, std::uint32_t s
     return side;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

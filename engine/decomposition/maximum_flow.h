@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// Minimum cuts of undirected graphs between a source and a sink, by Dinic's algorithm ("Algorithm
 /// for solution of a problem of maximum flow in networks with power estimation", 1970).
@@ -34,4 +35,5 @@ private:
     std::vector<std::uint32_t> queue_;
 };
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/decomposition/segmentation.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// Parts that grow together; tables are count x count and symmetric.
@@ -126,4 +127,5 @@ std::vector<std::uint32_t> merge_patches(const PatchGraph& graph, std::span<cons
     return dense_segmentation(part).labels;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

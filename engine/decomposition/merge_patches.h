@@ -8,6 +8,7 @@
 #include "engine/decomposition/patches.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 struct MergePatchesOptions {
     /// The number of parts; 0 leaves it to the evidence.
@@ -24,4 +25,5 @@ struct MergePatchesOptions {
 std::vector<std::uint32_t> merge_patches(const PatchGraph& graph, std::span<const float> together,
                                          const MergePatchesOptions& options = {});
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/descriptor/shape_diameter.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 const std::array<std::string_view, kPairFeatureCount> kPairFeatureNames = {"thickness_least",
                                                                            "thickness_most",
@@ -335,4 +336,5 @@ PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
     return measuring.take();
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -10,6 +10,7 @@
 #include "engine/skeleton/skeletonize.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// What is measured of two patches to tell whether they belong to one part. Lengths are over the
 /// square root of the area; "log" is the natural logarithm, log1p(x) = log(1 + x).
@@ -70,4 +71,5 @@ struct PatchPairs {
 PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
                          const Skeleton& skeleton);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include <tuple>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
@@ -113,4 +114,5 @@ Resistances resistances(const PatchGraph& graph, const LinkCost& conductance) {
     return result;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

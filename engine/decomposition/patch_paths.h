@@ -7,6 +7,7 @@
 #include "engine/decomposition/patches.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A symmetric table with an entry for each two patches.
 class PatchTable {
@@ -46,4 +47,5 @@ struct Resistances {
 };
 Resistances resistances(const PatchGraph& graph, const LinkCost& conductance);
 
+}  // namespace decomposition
 }  // namespace ossuary

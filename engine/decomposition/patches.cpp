@@ -11,6 +11,7 @@
 #include "engine/mesh/sample_surface.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr std::uint32_t kNoPatch = 0xFFFFFFFFU;
@@ -257,4 +258,5 @@ PatchGraph patch_graph(const TriangleMesh& mesh, const SurfaceGraph& surface, st
     return graph;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A surface cut into many small patches of like area whose borders follow concave creases, and
 /// which patch touches which.
@@ -42,4 +43,5 @@ struct PatchGraph {
 /// @param mesh  the mesh of `surface`
 PatchGraph patch_graph(const TriangleMesh& mesh, const SurfaceGraph& surface, std::size_t count);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <map>
 
 namespace ossuary {
+inline namespace decomposition {
 
 std::vector<std::int32_t> prevailing_labels(std::size_t groups,
                                             std::span<const std::uint32_t> group_of,
@@ -26,4 +27,5 @@ std::vector<std::int32_t> prevailing_labels(std::size_t groups,
     return labels;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

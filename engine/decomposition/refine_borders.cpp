@@ -10,6 +10,7 @@
 #include "engine/mesh/edge_table.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
@@ -126,4 +127,5 @@ void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& lab
     for (const auto& [a, b] : touching_parts(surface, labels)) refinement.between(a, b);
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

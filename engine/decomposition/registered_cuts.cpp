@@ -8,6 +8,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// Finds which vertices hang together within one pair of parts.
@@ -120,4 +121,5 @@ RegisteredCuts register_cuts(const std::vector<Cut>& reference, const std::vecto
     return result;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

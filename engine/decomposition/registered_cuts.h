@@ -8,6 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A closed line between two parts: connected edges of the mesh with the same two parts beside
 /// them.
@@ -41,4 +42,5 @@ struct RegisteredCuts {
 /// where it adds less to the measure than the cut would that is left without one.
 RegisteredCuts register_cuts(const std::vector<Cut>& reference, const std::vector<Cut>& made);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/decomposition/vertex_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 using Spread = std::vector<std::pair<std::uint16_t, float>>;  // joint and weight, by joint
@@ -107,4 +108,5 @@ Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smooth
     return rig;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

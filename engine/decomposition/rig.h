@@ -9,6 +9,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A model that can be moved by its skeleton (thesis sec. 4.1.2): a tree of joints, and how much
 /// each vertex follows which of them.
@@ -37,4 +38,5 @@ struct Rig {
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint
 Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smoothing = 12);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <sstream>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -79,4 +80,5 @@ Result<std::vector<Segmentation>> read_segmentations(const std::filesystem::path
     return segmentations;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 namespace ossuary {
+inline namespace decomposition {
 
 Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels) {
     Segmentation dense;
@@ -16,4 +17,5 @@ Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels) {
     return dense;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A part number for each triangle of a mesh (or each face of a file), 0-based and dense: every
 /// number below `parts` occurs.
@@ -18,4 +19,5 @@ struct Segmentation {
 /// Renumbers any labels in the order of their first use.
 [[nodiscard]] Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 /// How much each part of one segmentation shares with each part of the other, by faces or by area.
@@ -112,4 +113,5 @@ SegmentationErrors segmentation_errors(const Segmentation& reference,
     return errors;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace decomposition {
 namespace {
 
 constexpr double kRadiusShare = 0.7;
@@ -109,4 +110,5 @@ SkeletonWays ways_from(const SkeletonSamples& samples, std::uint32_t source) {
     return ways;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A skeleton as points two steps apart along its branches, and the ways between them.
 struct SkeletonSamples {
@@ -53,4 +54,5 @@ struct Outside {
 };
 Outside outside(const BitVolume& solid, const Vec3& a, const Vec3& b);
 
+}  // namespace decomposition
 }  // namespace ossuary

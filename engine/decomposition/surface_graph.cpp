@@ -5,6 +5,7 @@
 #include "engine/mesh/vertex_normals.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 SurfaceGraph surface_graph(const TriangleMesh& mesh) {
     SurfaceGraph graph;
@@ -61,4 +62,5 @@ SurfacePieces surface_pieces(const SurfaceGraph& graph) {
     return pieces;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

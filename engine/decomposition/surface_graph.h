@@ -8,6 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// A surface as a graph of its triangles: who lies across which side, and how the surface turns
 /// there.
@@ -36,4 +37,5 @@ struct SurfacePieces {
 };
 SurfacePieces surface_pieces(const SurfaceGraph& graph);
 
+}  // namespace decomposition
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/mesh/vertex_normals.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 VertexGraph vertex_graph(const TriangleMesh& mesh) {
     VertexGraph graph;
@@ -39,4 +40,5 @@ VertexGraph vertex_graph(const TriangleMesh& mesh) {
     return graph;
 }
 
+}  // namespace decomposition
 }  // namespace ossuary

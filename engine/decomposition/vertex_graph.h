@@ -8,6 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace decomposition {
 
 /// The vertices of a surface with their neighbours along edges, normals and curvature.
 struct VertexGraph {
@@ -27,4 +28,5 @@ struct VertexGraph {
 /// @param mesh  vertices told apart by index: weld a soup first
 VertexGraph vertex_graph(const TriangleMesh& mesh);
 
+}  // namespace decomposition
 }  // namespace ossuary

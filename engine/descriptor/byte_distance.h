@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// The sum of absolute differences; whole numbers, so exact and symmetric. Compilers make it one
 /// instruction for sixteen bytes.
@@ -17,4 +18,5 @@ inline std::uint32_t byte_distance(const std::uint8_t* a, const std::uint8_t* b,
     return sum;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -14,6 +14,7 @@
 #include "engine/skeleton/tube_radii.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 /// How the further grids are turned against the first one; any turn far from the identity and from
@@ -138,4 +139,5 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& wa
     return description;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -10,6 +10,7 @@
 #include "engine/skeleton/skeletonize.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 struct DescribeOptions {
     SkeletonizeOptions skeletonize;
@@ -34,4 +35,5 @@ struct Description {
 Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& options = {},
                              std::stop_token stop = {});
 
+}  // namespace descriptor
 }  // namespace ossuary

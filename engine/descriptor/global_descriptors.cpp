@@ -10,6 +10,7 @@
 #include "engine/descriptor/shell_graph.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 /// Voxels to a node of the graph: keeps a model at about 1,500 nodes.
@@ -56,4 +57,5 @@ double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
     return 0.0;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -17,6 +17,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 enum class GlobalMetric {
     kSkeletonPairs,     ///< skeleton_pairs_distance
@@ -64,4 +65,5 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
 [[nodiscard]] double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
                                      const GlobalDescriptorKind& kind, double pose = 1.0);
 
+}  // namespace descriptor
 }  // namespace ossuary

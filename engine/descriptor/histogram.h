@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// One axis of a histogram: `bins` bins over [low, high]; what lies outside falls into the end
 /// bins.
@@ -80,4 +81,5 @@ private:
     std::vector<double> cells_;
 };
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <numbers>
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 std::complex<double> wave(std::size_t frequency, std::size_t at, std::size_t count) {
@@ -69,4 +70,5 @@ std::vector<float> ImageSpectrum::magnitudes(std::span<const float> pixels) cons
     return result;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// Magnitudes of the low frequencies of images of one size. They do not change when an image is
 /// shifted around, nor, because mirrored frequencies are averaged, when it is mirrored.
@@ -30,4 +31,5 @@ private:
     std::vector<std::complex<float>> down_;
 };
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/descriptor/summed_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 /// Half the cubes' edges over the square root of the area.
@@ -55,4 +56,5 @@ std::vector<std::uint8_t> local_volume(const ShellGraph& graph, std::span<const 
     return bytes;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 inline constexpr std::size_t kLocalVolumeSize = 12 * 8 + 8 * 8 * 6;
 
@@ -21,4 +22,5 @@ inline constexpr std::size_t kLocalVolumeSize = 12 * 8 + 8 * 8 * 6;
 std::vector<std::uint8_t> local_volume(const ShellGraph& graph, std::span<const float> geodesics,
                                        const BitVolume& solid);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// One global descriptor: bytes of a fixed number that are compared by a metric of their own
 /// (global_distance).
@@ -24,4 +25,5 @@ struct ModelDescriptor {
     std::vector<float> signature;  ///< preselection: Euclidean, unit length
 };
 
+}  // namespace descriptor
 }  // namespace ossuary

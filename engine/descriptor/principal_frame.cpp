@@ -5,6 +5,7 @@
 #include <cassert>
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr double kLeastDistance = 0.5;  // voxels; the surface of a single voxel
@@ -37,4 +38,5 @@ PrincipalFrame principal_frame(const SolidSurface& surface, FrameKind kind) {
     return frame;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/descriptor/solid_surface.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// Which covariance gives a frame its axes.
 enum class FrameKind {
@@ -21,4 +22,5 @@ struct PrincipalFrame {
 /// @pre the surface is not empty
 [[nodiscard]] PrincipalFrame principal_frame(const SolidSurface& surface, FrameKind kind);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// Square roots in bytes: round(scale * sqrt(value)), at most 255. The root evens out the small and
 /// the great values of histograms and spectra; bytes make a descriptor small and its comparison
@@ -20,4 +21,5 @@ inline void append_root_bytes(std::span<const float> values, double scale,
     }
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

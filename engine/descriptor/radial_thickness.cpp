@@ -8,6 +8,7 @@
 #include "engine/descriptor/shell_center.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr double kByteScale = 510.0;
@@ -36,4 +37,5 @@ std::vector<std::uint8_t> radial_thickness(const ShellGraph& graph,
     return bytes;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

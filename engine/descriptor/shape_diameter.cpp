@@ -7,6 +7,7 @@
 #include <numbers>
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr std::size_t kRays = 16;
@@ -89,4 +90,5 @@ std::vector<float> shape_diameters(const ShellGraph& surface, const BitVolume& s
     return diameters;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// The shape diameter of each node of `surface`, in voxels: rays through the solid in a cone of 60
 /// degrees about the inward normal, their lengths averaged with the cosine as weight after those
@@ -14,4 +15,5 @@ namespace ossuary {
 /// 3). Rays go through voxels, so that a surface with holes needs no special care.
 std::vector<float> shape_diameters(const ShellGraph& surface, const BitVolume& solid);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/descriptor/shell_graph.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// Where a surface's centre of gravity is and how far the surface is from it in the mean.
 struct ShellCenter {
@@ -27,4 +28,5 @@ inline ShellCenter shell_center(const ShellGraph& graph) {
     return result;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include <numeric>
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
@@ -168,4 +169,5 @@ std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sourc
     return average;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/descriptor/view_spectra.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr std::size_t kPart = 64;
@@ -137,4 +138,5 @@ std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
     return signature;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/descriptor/model_descriptor.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 inline constexpr std::size_t kSignatureSize = 256;
 
@@ -16,4 +17,5 @@ inline constexpr std::size_t kSignatureSize = 256;
 std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
                                           const std::vector<GlobalDescriptor>& globals);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/descriptor/skeleton_samples.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr int kDistances = 7;
@@ -58,4 +59,5 @@ std::vector<std::uint8_t> skeleton_layout(std::span<const SkeletonDescriptor> sk
     return mean_root_bytes(skeletons, kSkeletonLayoutSize, kByteScale, histogram_of);
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
 
@@ -21,4 +22,5 @@ inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
 /// Balls in place of points raised that of the ten from .877 to .881.
 std::vector<std::uint8_t> skeleton_layout(std::span<const SkeletonDescriptor> skeletons);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/matching/skeleton_paths.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr std::size_t kDistances = 12;
@@ -100,4 +101,5 @@ double skeleton_pairs_distance(std::span<const std::uint8_t> a, std::span<const 
     return pose * whole + (1.0 - pose) * build;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 inline constexpr std::size_t kSkeletonPairsSize = 12 * 6 * 4;
 
@@ -24,4 +25,5 @@ std::vector<std::uint8_t> skeleton_pairs(std::span<const SkeletonDescriptor> ske
 [[nodiscard]] double skeleton_pairs_distance(std::span<const std::uint8_t> a,
                                              std::span<const std::uint8_t> b, double pose = 1.0);
 
+}  // namespace descriptor
 }  // namespace ossuary

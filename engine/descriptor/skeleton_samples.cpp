@@ -5,6 +5,7 @@
 #include "engine/descriptor/quantize.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr double kLeastRadius = 1e-4;
@@ -51,4 +52,5 @@ std::vector<std::uint8_t> mean_root_bytes(
     return bytes;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// A piece of a skeleton's branch between two neighbouring samples, at its middle; in units of the
 /// descriptor's scale.
@@ -30,4 +31,5 @@ struct SkeletonSample {
     std::span<const SkeletonDescriptor> skeletons, std::size_t size, double scale,
     std::vector<float> (*histogram_of)(const SkeletonDescriptor&));
 
+}  // namespace descriptor
 }  // namespace ossuary

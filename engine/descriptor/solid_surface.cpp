@@ -6,6 +6,7 @@
 #include "engine/voxel/border.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr int kReach = 3;
@@ -113,4 +114,5 @@ BitVolume halve(const BitVolume& solid) {
     return half;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// The boundary of a solid as points with normals and areas: one point a border voxel. Every global
 /// descriptor reads this, so that open meshes, soups and watertight models are described alike.
@@ -27,4 +28,5 @@ SolidSurface solid_surface(const BitVolume& solid);
 /// Half the resolution: a voxel is set where any of its eight is.
 BitVolume halve(const BitVolume& solid);
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -1,6 +1,7 @@
 #include "engine/descriptor/summed_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 SummedVolume::SummedVolume(const BitVolume& solid)
     : size_((solid.size().array() + 1).matrix()),
@@ -35,4 +36,5 @@ std::uint32_t SummedVolume::count(const Vec3i& low, const Vec3i& high) const {
            at(h.x(), l.y(), l.z()) - at(l.x(), l.y(), l.z());
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace descriptor {
 
 /// Numbers of set voxels in boxes, each in constant time (Crow, "Summed-area tables for texture
 /// mapping", 1984, in three dimensions).
@@ -29,4 +30,5 @@ private:
     std::vector<std::uint32_t> sums_;
 };
 
+}  // namespace descriptor
 }  // namespace ossuary

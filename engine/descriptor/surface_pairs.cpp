@@ -9,6 +9,7 @@
 #include "engine/descriptor/quantize.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr std::size_t kMaxPoints = 300;
@@ -57,4 +58,5 @@ double squared_byte_distance(std::span<const std::uint8_t> a, std::span<const st
     return static_cast<double>(sum);
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

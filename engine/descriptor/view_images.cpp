@@ -5,6 +5,7 @@
 #include <numbers>
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr double kPanoramaReach = 3.0;  // radius of the cylinder, in mean distances
@@ -96,4 +97,5 @@ std::array<ViewImage, 2> depth_images(const SolidSurface& surface, const Princip
     return images;
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

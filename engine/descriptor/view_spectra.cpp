@@ -12,6 +12,7 @@
 #include "engine/descriptor/view_images.h"
 
 namespace ossuary {
+inline namespace descriptor {
 namespace {
 
 constexpr double kByteScale = 255.0;
@@ -108,4 +109,5 @@ double view_distance(std::span<const std::uint8_t> a, std::span<const std::uint8
     return static_cast<double>(sum);
 }
 
+}  // namespace descriptor
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 
 /// Minimum-cost bipartite assignment by the Hungarian method (Kuhn 1955, with the potentials and
 /// shortest augmenting paths of Jonker and Volgenant 1987). Keeps its buffers between calls.
@@ -30,4 +31,5 @@ private:
     std::vector<char> visited_;
 };
 
+}  // namespace matching
 }  // namespace ossuary

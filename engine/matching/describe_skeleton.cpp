@@ -9,6 +9,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 std::string code_of(std::span<const Vec3> points, bool reversed) {
@@ -144,4 +145,5 @@ void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& 
     descriptor.hierarchy = signature_tree(descriptor);
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 
 /// A named share of a distance, for explanations.
 struct DistancePart {
@@ -33,4 +34,5 @@ struct Match {
     Correspondence correspondence;
 };
 
+}  // namespace matching
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/matching/signature_matching.h"
 
 namespace ossuary {
+inline namespace matching {
 
 struct ChainCodeMatchWorkspace::Buffers {
     SignatureMatcher matcher;
@@ -166,4 +167,5 @@ Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b
     return match;
 }
 
+}  // namespace matching
 }  // namespace ossuary

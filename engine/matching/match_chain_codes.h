@@ -6,6 +6,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// Parameters of the ranker `chain-code`.
 struct ChainCodeMatchOptions {
@@ -44,4 +45,5 @@ private:
                                          const ChainCodeMatchOptions& options,
                                          ChainCodeMatchWorkspace& workspace);
 
+}  // namespace matching
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/matching/node_clusters.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 SampledTree whole_tree(const PartQuery& part, const SkeletonDescriptor& whole) {
@@ -170,4 +171,5 @@ Match match_part(const PartQuery& part, const SkeletonDescriptor& whole) {
     return match;
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -10,6 +10,7 @@
 #include "engine/matching/sampled_tree.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// Parameters of matching a part.
 struct PartMatchOptions {
@@ -64,4 +65,5 @@ private:
 /// is like a stretch.
 [[nodiscard]] Match match_part(const PartQuery& part, const SkeletonDescriptor& whole);
 
+}  // namespace matching
 }  // namespace ossuary

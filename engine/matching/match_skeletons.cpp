@@ -9,6 +9,7 @@
 #include "engine/matching/tree_edit.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 AlignmentOptions alignment_options(const SkeletonMatchOptions& options) {
@@ -266,4 +267,5 @@ Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
     return match;
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// Parameters of the ranker `skeleton`.
 struct SkeletonMatchOptions {
@@ -51,4 +52,5 @@ private:
                                        const SkeletonMatchOptions& options,
                                        SkeletonMatchWorkspace& workspace);
 
+}  // namespace matching
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <functional>
 
 namespace ossuary {
+inline namespace matching {
 
 std::vector<std::uint32_t> NodeClusters::sizes() const {
     std::vector<std::uint32_t> count(parent_.size(), 0);
@@ -15,4 +16,5 @@ std::vector<std::uint32_t> NodeClusters::sizes() const {
     return count;
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 
 /// Connected groups of matched nodes (thesis sec. 3.3.1: the sizes of clusters of matched nodes).
 class NodeClusters {
@@ -27,4 +28,5 @@ private:
     std::vector<char> matched_;
 };
 
+}  // namespace matching
 }  // namespace ossuary

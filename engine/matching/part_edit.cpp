@@ -6,6 +6,7 @@
 #include <limits>
 
 namespace ossuary {
+inline namespace matching {
 
 void PartEdit::sum_removals(const SampledTree& tree, float limit, Sides& sides) const {
     const std::size_t count = tree.nodes.size();
@@ -203,4 +204,5 @@ void PartEdit::exchanged(const SampledTree& part, const SampledTree& whole, cons
     }
 }
 
+}  // namespace matching
 }  // namespace ossuary

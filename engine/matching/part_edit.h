@@ -9,6 +9,7 @@
 #include "engine/matching/sampled_tree.h"
 
 namespace ossuary {
+inline namespace matching {
 
 struct PartEditCosts {
     double radius_weight = 0.7;  ///< times min(1, radius_gain / 2 * |ln r - ln r'|)
@@ -74,4 +75,5 @@ private:
     Assignment assignment_;
 };
 
+}  // namespace matching
 }  // namespace ossuary

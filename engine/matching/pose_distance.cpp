@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 /// Limbs whose lengths differ by more are never taken for each other.
@@ -125,4 +126,5 @@ double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
     return pose_distance(a, b, match_skeletons(a, b, options).correspondence);
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/core/geometry.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// A curve with its radii at evenly spaced points.
 struct ResampledCurve {
@@ -34,4 +35,5 @@ struct ResampledCurve {
                                            std::span<const float> radii, double from, double to,
                                            int max_steps);
 
+}  // namespace matching
 }  // namespace ossuary

@@ -11,13 +11,14 @@
 #include "engine/matching/skeleton_paths.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 /// How heavy a point of the skeleton is.
 double density(double radius, double power) { return std::pow(std::max(radius, 1e-6), power); }
 
 /// Sum over the skeleton's points of density times geodesic distance from the source of `paths`.
-double eccentricity(const SkeletonDescriptor& descriptor, const ShortestPaths& paths,
+double eccentricity(const SkeletonDescriptor& descriptor, const SkeletonPaths& paths,
                     double power) {
     double sum = 0.0;
     for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
@@ -89,7 +90,7 @@ void choose_roots(const SkeletonDescriptor& descriptor, const SkeletonAdjacency&
     if (candidates.empty()) candidates = component.nodes;
     std::vector<std::pair<double, std::uint32_t>> ranked;
     for (const std::uint32_t node : candidates) {
-        const ShortestPaths paths = shortest_paths(descriptor, adjacency, node);
+        const SkeletonPaths paths = shortest_paths(descriptor, adjacency, node);
         ranked.emplace_back(eccentricity(descriptor, paths, power), node);
     }
     std::sort(ranked.begin(), ranked.end());
@@ -140,7 +141,7 @@ void gather_component(const SkeletonDescriptor& descriptor, const SkeletonAdjace
                       std::uint32_t root, PieceStore& pieces, Gathered& gathered) {
     const std::uint32_t graph_root = gathered[root].graph_node;
     const float offset = gathered[root].root_distance;
-    const ShortestPaths paths = shortest_paths(descriptor, adjacency, graph_root);
+    const SkeletonPaths paths = shortest_paths(descriptor, adjacency, graph_root);
     std::vector<std::uint32_t> tree_node(descriptor.nodes.size(), kNoIndex);
     tree_node[graph_root] = root;
     std::vector<bool> used(descriptor.branches.size(), false);
@@ -295,4 +296,5 @@ RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor, const Rootin
     return rooted;
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/matching/tree_shape.h"
 
 namespace ossuary {
+inline namespace matching {
 
 struct SkeletonDescriptor;
 
@@ -83,4 +84,5 @@ struct RootingOptions {
 [[nodiscard]] RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor,
                                             const RootingOptions& options = {});
 
+}  // namespace matching
 }  // namespace ossuary

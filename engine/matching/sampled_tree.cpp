@@ -9,6 +9,7 @@
 #include "engine/matching/skeleton_paths.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 constexpr double kSmallestRadius = 1e-3;
@@ -22,7 +23,7 @@ struct Edge {
 };
 
 /// Appends the edges of the tree that shortest ways from `top` make of its component.
-void append_edges(const SkeletonDescriptor& descriptor, const ShortestPaths& paths,
+void append_edges(const SkeletonDescriptor& descriptor, const SkeletonPaths& paths,
                   std::vector<Edge>& edges) {
     std::vector<bool> used(descriptor.branches.size(), false);
     for (const std::uint32_t node : paths.order) {
@@ -185,7 +186,7 @@ SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOp
     std::vector<Edge> edges;
     std::vector<std::uint32_t> tops;
     for (const std::uint32_t middle : middles) {
-        const ShortestPaths paths = shortest_paths(descriptor, adjacency, middle);
+        const SkeletonPaths paths = shortest_paths(descriptor, adjacency, middle);
         append_edges(descriptor, paths, edges);
         if (options.every_top) {
             tops = paths.order;
@@ -198,4 +199,5 @@ SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOp
     return hanger.finish();
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <tuple>
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 /// Euclidean distance of two signature vectors, the shorter filled up with zeros, over the sum of
@@ -169,4 +170,5 @@ const NodePairs& SignatureMatcher::match(const SkeletonDescriptor& a, const Skel
     return pairs_;
 }
 
+}  // namespace matching
 }  // namespace ossuary

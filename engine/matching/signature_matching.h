@@ -8,6 +8,7 @@
 #include "engine/matching/tree_edit.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// Matched nodes of two skeletons' hierarchies, as indices into SignatureTree::nodes.
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -47,4 +48,5 @@ private:
     Assignment assignment_;
 };
 
+}  // namespace matching
 }  // namespace ossuary

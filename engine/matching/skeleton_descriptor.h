@@ -10,6 +10,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace matching {
 
 /// All that the rankers `chain-code` and `skeleton` need of a model's skeleton: free of scale and
 /// position, a few kilobytes. Node and branch indices are those of the graph it was made from.
@@ -68,4 +69,5 @@ SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
 ///      two points
 void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& options = {});
 
+}  // namespace matching
 }  // namespace ossuary

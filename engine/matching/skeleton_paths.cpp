@@ -6,6 +6,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary {
+inline namespace matching {
 
 SkeletonAdjacency skeleton_adjacency(const SkeletonDescriptor& descriptor) {
     SkeletonAdjacency adjacency;
@@ -18,10 +19,10 @@ SkeletonAdjacency skeleton_adjacency(const SkeletonDescriptor& descriptor) {
     return adjacency;
 }
 
-ShortestPaths shortest_paths(const SkeletonDescriptor& descriptor,
+SkeletonPaths shortest_paths(const SkeletonDescriptor& descriptor,
                              const SkeletonAdjacency& adjacency, std::uint32_t source) {
     using Entry = std::tuple<double, std::uint32_t, std::uint32_t>;  // distance, branch, node
-    ShortestPaths paths;
+    SkeletonPaths paths;
     paths.distance.assign(descriptor.nodes.size(), std::numeric_limits<double>::infinity());
     paths.parent_branch.assign(descriptor.nodes.size(), kNoIndex);
     std::vector<bool> settled(descriptor.nodes.size(), false);
@@ -44,4 +45,5 @@ ShortestPaths shortest_paths(const SkeletonDescriptor& descriptor,
     return paths;
 }
 
+}  // namespace matching
 }  // namespace ossuary

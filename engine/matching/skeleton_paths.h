@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 
 struct SkeletonDescriptor;
 
@@ -21,7 +22,7 @@ struct SkeletonAdjacency {
 
 /// Shortest ways along branches from one node. Of equally short ones the way over the branch with
 /// the lower index is taken.
-struct ShortestPaths {
+struct SkeletonPaths {
     std::vector<double> distance;              ///< over the scale; infinite where not reached
     std::vector<std::uint32_t> parent_branch;  ///< 0xFFFFFFFF at the source and where not reached
     std::vector<std::uint32_t> order;          ///< nodes reached, nearest first
@@ -31,8 +32,9 @@ struct ShortestPaths {
     }
 };
 
-[[nodiscard]] ShortestPaths shortest_paths(const SkeletonDescriptor& descriptor,
+[[nodiscard]] SkeletonPaths shortest_paths(const SkeletonDescriptor& descriptor,
                                            const SkeletonAdjacency& adjacency,
                                            std::uint32_t source);
 
+}  // namespace matching
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/matching/skeleton_paths.h"
 
 namespace ossuary {
+inline namespace matching {
 namespace {
 
 /// Nodes from the most to the least significant.
@@ -42,7 +43,7 @@ Hanging hang_up(const SkeletonDescriptor& descriptor, const std::vector<std::uin
             hanging.parent[root] = order.front();
             hanging.children[order.front()].push_back(root);
         }
-        const ShortestPaths paths = shortest_paths(descriptor, adjacency, root);
+        const SkeletonPaths paths = shortest_paths(descriptor, adjacency, root);
         for (const std::uint32_t node : paths.order) {
             hung[node] = true;
             if (node == root) continue;
@@ -142,4 +143,5 @@ SignatureTree signature_tree(const SkeletonDescriptor& descriptor,
     return tree;
 }
 
+}  // namespace matching
 }  // namespace ossuary

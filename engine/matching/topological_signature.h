@@ -6,6 +6,7 @@
 #include "engine/matching/tree_shape.h"
 
 namespace ossuary {
+inline namespace matching {
 
 struct SkeletonDescriptor;
 
@@ -43,4 +44,5 @@ struct SignatureOptions {
 /// `node`, k the number of its children; 0 for an end point.
 [[nodiscard]] double eigenvalue_sum(const TreeShape& tree, std::uint32_t node, int max_matrix_size);
 
+}  // namespace matching
 }  // namespace ossuary

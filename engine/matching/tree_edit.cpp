@@ -4,6 +4,7 @@
 #include <cassert>
 
 namespace ossuary {
+inline namespace matching {
 
 void TreeEdit::sum_removals(const TreeShape& tree, std::span<const float> remove,
                             std::vector<float>& whole, std::vector<float>& below) const {
@@ -168,4 +169,5 @@ void TreeEdit::exchanged(const TreeEditProblem& problem, const Pair& roots,
     }
 }
 
+}  // namespace matching
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <cassert>
 
 namespace ossuary {
+inline namespace matching {
 
 TreeShape tree_shape(std::span<const std::uint32_t> parents) {
     TreeShape shape;
@@ -35,4 +36,5 @@ TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children) {
     return shape;
 }
 
+}  // namespace matching
 }  // namespace ossuary

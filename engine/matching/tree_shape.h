@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace matching {
 
 /// A rooted tree with its nodes numbered children before parents, the root the last; or several
 /// rooted trees that share subtrees.
@@ -28,4 +29,5 @@ struct TreeShape {
 /// @param children  of each node, each less than the node itself
 [[nodiscard]] TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children);
 
+}  // namespace matching
 }  // namespace ossuary

@@ -10,6 +10,7 @@
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 constexpr std::uint32_t kFree = 0xFFFFFFFFu;
@@ -134,4 +135,5 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     return coarse;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

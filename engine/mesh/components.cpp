@@ -5,6 +5,7 @@
 #include "engine/mesh/disjoint_sets.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 MeshComponents connected_components(const TriangleMesh& mesh) {
     DisjointSets sets(mesh.vertices.size());
@@ -24,4 +25,5 @@ MeshComponents connected_components(const TriangleMesh& mesh) {
     return components;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

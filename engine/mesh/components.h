@@ -6,6 +6,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// The pieces of a surface: triangles that share a vertex belong together.
 struct MeshComponents {
@@ -16,4 +17,5 @@ struct MeshComponents {
 /// Finds the pieces by shared vertex indices; weld a soup first (weld.h).
 MeshComponents connected_components(const TriangleMesh& mesh);
 
+}  // namespace mesh
 }  // namespace ossuary

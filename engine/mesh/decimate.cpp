@@ -9,6 +9,7 @@
 #include "engine/mesh/weld.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 /// Drops unused vertices, joins the copies that parting made, and numbers the faces anew.
@@ -36,4 +37,5 @@ TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options) 
     return compact(cluster_vertices(welded, options.max_triangles));
 }
 
+}  // namespace mesh
 }  // namespace ossuary

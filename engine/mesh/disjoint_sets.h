@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace mesh {
 
 /// Union-find whose representative is always the smallest member, so that results do not depend on
 /// the order of the unions.
@@ -55,4 +56,5 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
+}  // namespace mesh
 }  // namespace ossuary

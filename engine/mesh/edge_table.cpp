@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 struct Entry {
@@ -85,4 +86,5 @@ std::vector<std::array<std::uint32_t, 3>> adjacent_triangles(const TriangleMesh&
     return adjacent;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

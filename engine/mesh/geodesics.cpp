@@ -10,6 +10,7 @@
 #include "engine/mesh/edge_table.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 struct Arc {
@@ -98,4 +99,5 @@ std::vector<double> GeodesicGraph::distances_from(std::span<const std::uint32_t>
     return distance;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

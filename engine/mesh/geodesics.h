@@ -7,6 +7,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 struct GeodesicOptions {
     /// Besides the edges also go straight across each pair of neighbouring triangles, unfolded into
@@ -39,4 +40,5 @@ private:
     std::vector<Link> links_;
 };
 
+}  // namespace mesh
 }  // namespace ossuary

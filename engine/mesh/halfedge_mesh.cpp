@@ -8,6 +8,7 @@
 #include "engine/mesh/manifold_fans.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
@@ -152,4 +153,5 @@ TriangleMesh HalfedgeMesh::to_triangle_mesh() const {
     return mesh;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 std::size_t count_degenerate_faces(const TriangleMesh& mesh) {
@@ -117,4 +118,5 @@ std::vector<MeshWarning> surface_warnings(const TriangleMesh& mesh) {
     return warnings;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

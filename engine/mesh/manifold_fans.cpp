@@ -6,6 +6,7 @@
 #include "engine/mesh/edge_table.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 ManifoldFans part_into_fans(const TriangleMesh& mesh) {
     // Corners of triangles that belong to one vertex of the result; two sides glued to each other
@@ -48,4 +49,5 @@ ManifoldFans part_into_fans(const TriangleMesh& mesh) {
     return fans;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 Vec3 area_vector(const TriangleMesh& mesh, std::size_t triangle) {
@@ -58,4 +59,5 @@ MeshMeasures measure(const TriangleMesh& mesh) {
     return measures;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

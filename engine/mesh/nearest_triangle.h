@@ -8,6 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// The point of a triangle (which may have no area) that is nearest to `point`.
 [[nodiscard]] Vec3 nearest_point_of(const std::array<Vec3, 3>& corners, const Vec3& point);
@@ -53,4 +54,5 @@ private:
     std::vector<Node> nodes_;
 };
 
+}  // namespace mesh
 }  // namespace ossuary

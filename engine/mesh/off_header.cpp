@@ -3,6 +3,7 @@
 #include <string>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -166,4 +167,5 @@ bool looks_like_off(std::string_view text) {
     return scanner.at_line_end();
 }
 
+}  // namespace mesh
 }  // namespace ossuary

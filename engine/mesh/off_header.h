@@ -6,6 +6,7 @@
 #include "engine/mesh/off_scanner.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// What stands before the first vertex of an OFF file.
 struct OffHeader {
@@ -27,4 +28,5 @@ Result<OffHeader> read_off_header(OffScanner& scanner);
 /// a line of three counts.
 [[nodiscard]] bool looks_like_off(std::string_view text);
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <array>
 
 namespace ossuary {
+inline namespace mesh {
 
 NumberStatus OffScanner::count_failure() const {
     const std::string_view token = peek_token();
@@ -30,4 +31,5 @@ std::string quoted_token(std::string_view token) {
     return quoted + "'";
 }
 
+}  // namespace mesh
 }  // namespace ossuary

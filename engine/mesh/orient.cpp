@@ -6,6 +6,7 @@
 #include "engine/mesh/edge_table.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 /// Whether the volume under the patch, seen from the mean of its corners, is negative by more than
@@ -79,4 +80,5 @@ OrientResult orient(const TriangleMesh& mesh) {
     return result;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 constexpr std::array kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -100,4 +101,5 @@ ParsedNumber<double> parse_double(const char* begin, const char* end) {
     return number;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -1,6 +1,7 @@
 #pragma once
 
 namespace ossuary {
+inline namespace mesh {
 
 enum class NumberStatus {
     kOk,
@@ -22,4 +23,5 @@ struct ParsedNumber {
 /// locale, with an optional sign, and with exponents marked by e or E. Underflow gives zero.
 ParsedNumber<double> parse_double(const char* begin, const char* end);
 
+}  // namespace mesh
 }  // namespace ossuary

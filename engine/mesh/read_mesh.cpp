@@ -14,6 +14,7 @@
 #include "engine/mesh/recognise_format.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 struct FileContents {
@@ -100,4 +101,5 @@ bool is_model_file(const std::filesystem::path& path) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/mesh/triangulate.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 constexpr std::size_t kShortestVertex = 6;  // "0 0 0\n"
@@ -308,4 +309,5 @@ Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
     return {result.error().code, std::string(name) + ", " + result.error().message};
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/mesh/read_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// Reads the text of an OFF file (the Geomview manual, "OFF: Object File Format") and its
 /// relatives COFF, NOFF, STOFF and their combinations; `name` stands for the file in messages.
@@ -31,4 +32,5 @@ namespace ossuary {
 Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
                                 const ReadMeshOptions& options = {});
 
+}  // namespace mesh
 }  // namespace ossuary

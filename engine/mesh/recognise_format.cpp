@@ -9,6 +9,7 @@
 #include "engine/mesh/off_scanner.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 bool is_binary_stl(std::string_view bytes) {
@@ -92,4 +93,5 @@ std::string_view to_string(ModelFormat format) {
     return "unknown";
 }
 
+}  // namespace mesh
 }  // namespace ossuary

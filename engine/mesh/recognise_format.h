@@ -3,6 +3,7 @@
 #include <string_view>
 
 namespace ossuary {
+inline namespace mesh {
 
 /// Model formats that can be told by their contents.
 enum class ModelFormat {
@@ -27,4 +28,5 @@ enum class ModelFormat {
 /// The format's name for messages.
 [[nodiscard]] std::string_view to_string(ModelFormat format);
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 struct SampleSurfaceOptions {
     std::size_t count = 1024;
@@ -27,4 +28,5 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh,
                                           const SampleSurfaceOptions& options = {});
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/core/geometry.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// A triangle soup with shared vertices: what every stage reads. It holds whatever a file may say
 /// (open, non-manifold, degenerate, several pieces); connectivity is asked of HalfedgeMesh.
@@ -36,4 +37,5 @@ struct MeshWarning {
     std::string message;    ///< for people
 };
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -157,4 +158,5 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
     }
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
 ///
@@ -51,4 +52,5 @@ private:
     std::vector<std::uint32_t> reflex_corners_;  // may name corners that are reflex no more
 };
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 std::vector<Vec3> triangle_normals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.triangles.size(), Vec3::Zero());
@@ -36,4 +37,5 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
     return normals;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/mesh/measures.h"
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -121,4 +122,5 @@ WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
     return result;
 }
 
+}  // namespace mesh
 }  // namespace ossuary

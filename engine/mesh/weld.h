@@ -6,6 +6,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 struct WeldOptions {
     /// Vertices at most this far from an earlier one, in parts of the bounding box's diagonal, are
@@ -26,4 +27,5 @@ struct WeldResult {
 /// leaves out unused vertices.
 WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options = {});
 
+}  // namespace mesh
 }  // namespace ossuary

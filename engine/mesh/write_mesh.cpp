@@ -5,6 +5,7 @@
 #include <fstream>
 
 namespace ossuary {
+inline namespace mesh {
 namespace {
 
 template <typename Number>
@@ -76,4 +77,5 @@ Result<void> write_obj(const TriangleMesh& mesh, const std::filesystem::path& pa
     return write_text(to_obj(mesh), path);
 }
 
+}  // namespace mesh
 }  // namespace ossuary

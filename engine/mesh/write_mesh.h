@@ -7,6 +7,7 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary {
+inline namespace mesh {
 
 /// The mesh as OFF text. Coordinates are written with the fewest digits that read back as the very
 /// same doubles; triangles stay triangles.
@@ -21,4 +22,5 @@ Result<void> write_off(const TriangleMesh& mesh, const std::filesystem::path& pa
 /// Writes an OBJ file. Errors: file_unwritable.
 Result<void> write_obj(const TriangleMesh& mesh, const std::filesystem::path& path);
 
+}  // namespace mesh
 }  // namespace ossuary

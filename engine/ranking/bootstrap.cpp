@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 constexpr std::size_t kResamples = 2000;
@@ -55,4 +56,5 @@ BootstrapMean bootstrap_difference(const RetrievalReport& first, const Retrieval
     return bootstrap_mean(values);
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 64u << 20;
@@ -251,4 +252,5 @@ Result<Classification> read_classification(const std::filesystem::path& path) {
     return parse_classification(text, path.string());
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/ranking/pair_distances.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// Calls body(meter, i) once for each i below `count` on `options.jobs` threads, in blocks that
 /// share a meter; `body` must write only what belongs to i.
@@ -20,4 +21,5 @@ void for_each_with_meter(std::size_t count, const RankOptions& options, const Bo
     });
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 /// Tree edit distance, skeleton pairs, skeleton layout; views, surface pairs, local volume, radial
@@ -159,4 +160,5 @@ ComponentValues fused_parts(const ComponentValues& distances, const FusionSide& 
     return parts;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

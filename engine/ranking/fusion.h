@@ -4,6 +4,7 @@
 #include "engine/ranking/ranker.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// How telling a skeleton is, in [0, 1]: near 0 for a point or a short stub, where the body is a
 /// sheet or a lump beside its skeleton and where the skeleton has been spread over it with very
@@ -39,4 +40,5 @@ struct FusionSide {
 [[nodiscard]] ComponentValues fused_parts(const ComponentValues& distances, const FusionSide& a,
                                           const FusionSide& b);
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/core/parallel.h"
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 constexpr double kFormat = 2.0;
@@ -198,4 +199,5 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs) 
     return statistics;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/ranking/pair_distances.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// How far other models typically are from one, in each component: what its distances are judged
 /// by, so that components of different units can be added and a model that is near to everything
@@ -54,4 +55,5 @@ private:
 [[nodiscard]] ModelScale scale_of_row(const std::vector<ComponentValues>& distances,
                                       const ModelScale& pooled);
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/matching/pose_distance.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 std::string_view component_name(std::size_t component) {
     assert(component < kComponentCount);
@@ -46,4 +47,5 @@ ComponentValues PairMeter::global_components(const ModelDescriptor& a,
     return values;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/ranking/ranker.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// What is fused: component 0 is the tree edit distance of the skeletons, the others are the global
 /// descriptors in the order of kGlobalDescriptorKinds. `skeleton` fuses the first three alone.
@@ -74,4 +75,5 @@ private:
     SkeletonMatchWorkspace skeleton_workspace_;
 };
 
+}  // namespace ranking
 }  // namespace ossuary

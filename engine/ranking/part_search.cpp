@@ -6,6 +6,7 @@
 #include "engine/matching/match_part.h"
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 constexpr std::size_t kBlock = 16;
@@ -37,4 +38,5 @@ Match explain_part(const ModelDescriptor& part, const ModelDescriptor& whole,
     return match_part(part_query(part, options), whole.skeleton);
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/ranking/ranker.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// How far each model of a collection is from having the query's skeleton as a part of its own
 /// (match_part.h), in [0, 1]; the same, bit by bit, for every number of jobs. No model is left out
@@ -17,4 +18,5 @@ std::vector<double> part_distances(const ModelDescriptor& part, DescriptorSpan c
 Match explain_part(const ModelDescriptor& part, const ModelDescriptor& whole,
                    const RankOptions& options = {});
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -12,6 +12,7 @@
 #include "engine/ranking/rerank.h"
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 /// A signature's values are at most 0.4 for the Princeton models.
@@ -181,4 +182,5 @@ std::vector<RankedModel> nearest_models(const ModelDescriptor& query, Descriptor
     return models;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

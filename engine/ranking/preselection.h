@@ -8,6 +8,7 @@
 #include "engine/ranking/ranker.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 /// The signatures of a collection in one block of memory, a byte a value, for an exact scan:
 /// 100,000 of them are 26 MB and take a few milliseconds. On the Princeton collections the L1
@@ -55,4 +56,5 @@ std::vector<RankedModel> nearest_models(const ModelDescriptor& query, Descriptor
                                         const RankOptions& options,
                                         const NearestOptions& nearest = {});
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -15,6 +15,7 @@
 #include "engine/ranking/rerank.h"
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
@@ -213,4 +214,5 @@ Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
     return match;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

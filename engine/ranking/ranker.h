@@ -10,6 +10,7 @@
 #include "engine/matching/match.h"
 
 namespace ossuary {
+inline namespace ranking {
 
 enum class RankerKind {
     kHybrid,     ///< skeleton fused with global descriptors; the default
@@ -76,4 +77,5 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
 Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
               const CollectionStatistics& statistics, const RankOptions& options = {});
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/core/parallel.h"
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 /// The query (node 0 … or one of the models, when it is in the collection) and the models nearest
@@ -201,4 +202,5 @@ std::vector<double> rerank(const std::vector<double>& distances,
     return result;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace ranking {
 
 struct RerankOptions {
     std::size_t depth = 200;       ///< models at the head of a ranked list that take part
@@ -30,4 +31,5 @@ std::vector<double> rerank(const std::vector<double>& distances,
                            const CollectionDistances& collection, const RerankOptions& options = {},
                            int jobs = 1);
 
+}  // namespace ranking
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 namespace ossuary {
+inline namespace ranking {
 namespace {
 
 constexpr std::size_t kRecallLevels = 20;
@@ -206,4 +207,5 @@ RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
     return report;
 }
 
+}  // namespace ranking
 }  // namespace ossuary

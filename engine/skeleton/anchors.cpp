@@ -12,6 +12,7 @@
 #include "engine/skeleton/simple_point.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// Tips are searched in blocks such that the longest side has at most this many: a search voxel by
@@ -75,7 +76,7 @@ private:
     }
 
     std::array<std::int32_t, 27> steps_;
-    ShortestPaths paths_;
+    VoxelPaths paths_;
 };
 
 /// Where `v` closes a loop with the tree, as where it touches both sides of a corner, one more
@@ -143,4 +144,5 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
     return anchors;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// What anchored thinning must not delete.
 struct Anchors {
@@ -21,4 +22,5 @@ struct Anchors {
 Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
                      const ThinningOptions& options);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// Pairs of neighbouring bits to single bits: their union, the 32 results side by side.
@@ -212,4 +213,5 @@ void BlockGrid::link(const std::vector<Neighborhood>& reached) {
     });
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/voxel/distance_transform.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// A solid at a fraction of its resolution: blocks of edge^3 voxels that hold some of it, with
 /// links between two blocks where a voxel of one is a 26-neighbour of a voxel of the other. Up to
@@ -73,4 +74,5 @@ private:
     std::vector<std::uint32_t> squared_;
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// A monotone queue of voxels by level (a small integer that never falls below the one being
 /// served): a ring of lists with a bitmap of those that are not empty. Used by shortest paths with
@@ -99,4 +100,5 @@ private:
     std::size_t size_ = 0;
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/voxel/components.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 std::vector<ComponentCentre> component_centres(const BitVolume& solid,
                                                const DistanceField& distance) {
@@ -50,4 +51,5 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     return centres;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/distance_transform.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// The deepest voxel of a 26-connected component; of several the nearest to the component's centre
 /// of gravity, which does not depend on the order of the axes.
@@ -19,4 +20,5 @@ struct ComponentCentre {
 std::vector<ComponentCentre> component_centres(const BitVolume& solid,
                                                const DistanceField& distance);
 
+}  // namespace skeleton
 }  // namespace ossuary

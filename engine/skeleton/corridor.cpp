@@ -5,6 +5,7 @@
 #include <cassert>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 class Corridor {
@@ -82,4 +83,5 @@ ThinningGrid corridor_along(const PathsInBlocks& paths, const BitVolume& solid,
     return corridor.take();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include "engine/skeleton/finer_paths.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// The voxels that the paths of tips may lead through: the solid's in the tree's blocks, and of
 /// those beside a block what is about as deep as it. The tree's blocks hold the deepest voxels
@@ -11,4 +12,5 @@ namespace ossuary {
 ThinningGrid corridor_along(const PathsInBlocks& paths, const BitVolume& solid,
                             const DistanceField& distance);
 
+}  // namespace skeleton
 }  // namespace ossuary

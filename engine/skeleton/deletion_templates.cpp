@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 struct Template {
@@ -94,4 +95,5 @@ bool is_tail(Neighborhood object) {
     return (dilate_26(neighbors & (~neighbors + 1)) & neighbors) == neighbors;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// Clusters above this many voxels are closed surfaces, not junctions: they become one node as they
@@ -185,4 +186,5 @@ SkeletonGraph extract_graph(const BitVolume& skeleton, const DistanceField& dist
     return GraphExtraction(skeleton, distance).run();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/voxel/distance_transform.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// The graph of a skeleton of unit width (thesis sec. 3.2.2), in voxels of the grid: a voxel's
 /// centre is at its index plus one half, radii are distances to the nearest background centre.
@@ -17,4 +18,5 @@ namespace ossuary {
 /// thinning keeps around a cavity, is drawn together into a few nodes instead.
 SkeletonGraph extract_graph(const BitVolume& skeleton, const DistanceField& distance);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/skeleton/shortest_paths.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// The blocks of half the edge that the tree's consist of. (With one more around them six times as
@@ -28,7 +29,7 @@ ThinningGrid parts_of(const ThinningGrid& tree, const PaddedShape& finer) {
 /// The tips and their paths in finer blocks; none where one of them is not reached.
 std::optional<Tips> tips_in(const BlockGrid& blocks, const PathsInBlocks& coarse,
                             const std::vector<VoxelIndex>& centres) {
-    const ShortestPaths paths = shortest_paths(
+    const VoxelPaths paths = shortest_paths(
         blocks.occupied(), [&](VoxelIndex b) { return blocks.links(b); },
         [&](VoxelIndex b) { return blocks.squared_radius(b); }, centres);
     const auto steps = blocks.shape().neighbor_steps();
@@ -72,4 +73,5 @@ PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
     return {std::move(all), std::move(tips)};
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include "engine/skeleton/tip_search.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Tips and the tree of their paths in blocks of one edge.
 struct PathsInBlocks {
@@ -18,4 +19,5 @@ struct PathsInBlocks {
 PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
                           const DistanceField& distance, const std::vector<VoxelIndex>& centres);
 
+}  // namespace skeleton
 }  // namespace ossuary

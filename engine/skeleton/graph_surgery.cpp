@@ -5,6 +5,7 @@
 #include <optional>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 using Branch = SkeletonGraph::Branch;
@@ -115,4 +116,5 @@ void contract_branch(SkeletonGraph& graph, std::uint32_t branch) {
     erase_node(graph, gone);
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/skeleton/simple_point.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 using Corner = std::tuple<int, int, int>;
@@ -99,4 +100,5 @@ int contacts(const std::vector<VoxelIndex>& a, const std::vector<VoxelIndex>& b,
     return count;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Splits a 26-connected set of voxels into pieces without tunnels or cavities, so that each can be
 /// drawn together into one node. Most sets are one piece; a ring of junction voxels is several.
@@ -16,4 +17,5 @@ std::vector<std::vector<VoxelIndex>> contractible_pieces(const std::vector<Voxel
 int contacts(const std::vector<VoxelIndex>& a, const std::vector<VoxelIndex>& b,
              const PaddedShape& shape);
 
+}  // namespace skeleton
 }  // namespace ossuary

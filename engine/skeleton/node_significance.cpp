@@ -6,6 +6,7 @@
 #include <limits>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// The sum of the distances from `node` to its nearest points, as many as `nearest` has room for.
@@ -54,4 +55,5 @@ void set_significance(SkeletonGraph& graph, std::span<const double> distance_sum
     }
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

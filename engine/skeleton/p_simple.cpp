@@ -1,6 +1,7 @@
 #include "engine/skeleton/p_simple.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// The cells one step from those of a set, in one of the six directions.
@@ -56,4 +57,5 @@ bool is_p_simple(const SimplePointTest& simple_point, Neighborhood object,
     return faces == 0 || (faces & ~faces_beside_background(~object & k18Neighbors)) == 0;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/distance_field.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// A distance field by the indices of a padded shape.
 class PaddedDistance {
@@ -45,4 +46,5 @@ private:
     std::vector<std::ptrdiff_t> starts_;  ///< what to add to an index, by row
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

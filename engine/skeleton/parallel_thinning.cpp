@@ -9,6 +9,7 @@
 #include "engine/voxel/border.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 class ParallelThinning {
@@ -176,4 +177,5 @@ private:
 
 ThinningGrid thin_in_parallel(const BitVolume& solid) { return ParallelThinning(solid).run(); }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Fully parallel thinning (thesis sec. 3.2.1): in each iteration the voxels that fit a deletion
 /// template are the candidates, and those among them that are P-simple for the candidates go at
@@ -11,4 +12,5 @@ namespace ossuary {
 /// kept by P-simplicity alone. Small crowds may be left for thin_to_unit_width.
 ThinningGrid thin_in_parallel(const BitVolume& solid);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/voxel/border.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 class Peeling {
@@ -129,4 +130,5 @@ ThinningGrid peel(const BitVolume& solid, const DistanceField& distance, const T
     return Peeling(solid, distance, keep).run();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

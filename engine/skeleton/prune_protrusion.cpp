@@ -7,6 +7,7 @@
 #include "engine/skeleton/graph_surgery.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 struct RankedLeaf {
@@ -90,4 +91,5 @@ void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options)
     }
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 struct ProtrusionOptions {
     double min_protrusion = 1.6;  ///< reach / junction radius below which a leaf goes
@@ -20,4 +21,5 @@ double protrusion(const SkeletonGraph& graph, std::uint32_t branch, std::uint32_
 /// component goes.
 void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options = {});
 
+}  // namespace skeleton
 }  // namespace ossuary

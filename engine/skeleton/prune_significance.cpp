@@ -6,6 +6,7 @@
 #include "engine/skeleton/node_significance.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// The mean of S / degree over the nodes of a degree other than 0 and 2.
@@ -51,4 +52,5 @@ void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
     }
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Pruning of thesis sec. 3.2.3: a leaf goes while the significance (eq. 3.3) of its tip v_m is
 /// below  degree(v_m) * sum over the nodes of S(v_n) / degree(v_n), divided by (t_k * n),  the sum
@@ -16,4 +17,5 @@ namespace ossuary {
 void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
                            double significance_scale);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/skeleton/prune_significance.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 struct PruningMethodName {
@@ -87,4 +88,5 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
     return result;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/skeleton/smooth.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 enum class PruningMethod {
     kProtrusion,    ///< ours: reach against the junction's radius
@@ -45,4 +46,5 @@ struct RefinedSkeleton {
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
                        const RefineOptions& options = {});
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Places for values of a set's voxels and of all their neighbours, row by row without the rest of
 /// the grid: what belongs to a thin set lies close together in memory. The neighbours at dx = -1, 0
@@ -108,4 +109,5 @@ private:
     std::array<std::size_t, 9> rows_;
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

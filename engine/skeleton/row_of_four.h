@@ -10,6 +10,7 @@
 #endif
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Four neighbours along a row, of which the last is one too many.
 using RowOfFour [[gnu::vector_size(16)]] = float;
@@ -36,4 +37,5 @@ inline constexpr std::array<std::array<float, 4>, 9> kRowLengths = [] {
     return lengths;
 }();
 
+}  // namespace skeleton
 }  // namespace ossuary

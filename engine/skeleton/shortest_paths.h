@@ -9,13 +9,14 @@
 #include "engine/skeleton/row_of_four.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 /// Shortest ways from every voxel (or block) of a set to the nearest of some sources.
-class ShortestPaths {
+class VoxelPaths {
 public:
-    explicit ShortestPaths(const ThinningGrid& set)
+    explicit VoxelPaths(const ThinningGrid& set)
         : layout_(set), costs_(layout_.count(), 0.0f), steps_(layout_.count(), kCentreBit) {}
 
     /// kUnreached where there is no way. @pre `v` is in the set
@@ -34,9 +35,9 @@ private:
     static constexpr std::uint8_t kFinal = 32;
 
     template <typename Links, typename SquaredRadius>
-    friend ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
-                                        const SquaredRadius& squared_radius,
-                                        const std::vector<VoxelIndex>& sources);
+    friend VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
+                                     const SquaredRadius& squared_radius,
+                                     const std::vector<VoxelIndex>& sources);
 
     RowLayout layout_;
     std::vector<float> costs_;         ///< 0 outside the set: nothing is an improvement there
@@ -48,10 +49,10 @@ private:
 /// @param links           v → its neighbours in the set
 /// @param squared_radius  v → r^2 > 0
 template <typename Links, typename SquaredRadius>
-ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
-                             const SquaredRadius& squared_radius,
-                             const std::vector<VoxelIndex>& sources) {
-    ShortestPaths paths(set);
+VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
+                          const SquaredRadius& squared_radius,
+                          const std::vector<VoxelIndex>& sources) {
+    VoxelPaths paths(set);
     const RowLayout& layout = paths.layout_;
     float* const costs = paths.costs_.data();
     std::uint8_t* const path_steps = paths.steps_.data();
@@ -77,8 +78,8 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
         const VoxelIndex v = queue.pop();
         const NeighborPlaces around(layout, v);
         std::uint8_t& own_step = path_steps[around.centre()];
-        if ((own_step & ShortestPaths::kFinal) != 0) continue;
-        own_step |= ShortestPaths::kFinal;
+        if ((own_step & VoxelPaths::kFinal) != 0) continue;
+        own_step |= VoxelPaths::kFinal;
         const float here = costs[around.centre()];
         const float weight = weights[around.centre()];
         Neighborhood nearer = 0;
@@ -91,7 +92,7 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
         for_each_bit(nearer & links(v), [&](int bit) {
             const auto b = static_cast<std::size_t>(bit);
             const std::size_t n = around.of(b);
-            if ((path_steps[n] & ShortestPaths::kFinal) != 0) return;
+            if ((path_steps[n] & VoxelPaths::kFinal) != 0) return;
             const float there = here + kNeighborLength[b] * (weight + weights[n]);
             costs[n] = there;
             path_steps[n] = static_cast<std::uint8_t>(opposite_bit(bit));
@@ -101,4 +102,5 @@ ShortestPaths shortest_paths(const ThinningGrid& set, const Links& links,
     return paths;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <memory>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 constexpr std::array<std::uint8_t, 26> kTableOrder = [] {
@@ -105,4 +106,5 @@ const SimplePointTest& SimplePointTest::shared() {
     return *instance;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/skeleton/neighborhood.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Whether removing the centre keeps the topology of a (26, 6) volume, straight from the
 /// definition: the object in the 26-neighbourhood has exactly one 26-component, and the background
@@ -70,4 +71,5 @@ private:
     mutable std::array<std::atomic<std::uint16_t>, std::size_t{1} << 18> table_{};
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <numeric>
 
 namespace ossuary {
+inline namespace skeleton {
 
 double SkeletonGraph::Branch::length() const {
     double total = 0.0;
@@ -52,4 +53,5 @@ GraphTopology topology(const SkeletonGraph& graph) {
     return {components, cycles};
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

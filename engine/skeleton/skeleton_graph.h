@@ -6,6 +6,7 @@
 #include "engine/core/geometry.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// A curve skeleton as a graph. Coordinates and radii are in one unit throughout: voxels of the
 /// grid while the skeleton is being made, the model's own units once `to_world` has been applied.
@@ -45,4 +46,5 @@ struct GraphTopology {
 };
 [[nodiscard]] GraphTopology topology(const SkeletonGraph& graph);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/skeleton/extract_graph.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 Error cancelled(const char* before) {
@@ -53,4 +54,5 @@ Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions&
     return skeleton;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

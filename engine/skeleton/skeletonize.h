@@ -11,6 +11,7 @@
 #include "engine/voxel/voxelize.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 struct SkeletonizeOptions {
     /// Lay the grid along the model's own axes (canonical_pose.h), so that the skeleton does not
@@ -39,4 +40,5 @@ struct Skeleton {
 Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options = {},
                              std::stop_token stop = {});
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <span>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 using Sample = Eigen::Vector4d;  // x, y, z, radius
@@ -124,4 +125,5 @@ void smooth_closed_branch(SkeletonGraph::Branch& branch, SkeletonGraph::Node& no
     node.radius = branch.radii.front();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// How eq. 3.4 sets a branch's scale t_k, with n its number of points and F its bending. Thesis
 /// sec. 3.2.4 writes "t_k = 1 / F * n, so t_k = (sum of sines) / 2", which are two different
@@ -36,4 +37,5 @@ void smooth_branch(SkeletonGraph::Branch& branch, double variance);
 void smooth_closed_branch(SkeletonGraph::Branch& branch, SkeletonGraph::Node& node,
                           double variance);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -13,6 +13,7 @@
 #include "engine/voxel/morphology.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// Without cavities the Euler characteristic is components less tunnels.
@@ -76,4 +77,5 @@ BitVolume thin(const BitVolume& solid, const DistanceField& distance,
     return skeleton.volume();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/distance_transform.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 enum class ThinningMethod {
     kAnchored,  ///< tips found by distance-weighted geodesics, simple points removed inwards
@@ -31,4 +32,5 @@ struct ThinningOptions {
 BitVolume thin(const BitVolume& solid, const DistanceField& distance,
                const ThinningOptions& options = {});
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// Index of a voxel in the padded bit grid that thinning works on.
 using VoxelIndex = std::uint32_t;
@@ -162,4 +163,5 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/skeleton/shortest_paths.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 class TipSearch {
@@ -28,7 +29,7 @@ public:
     Tips run() {
         Tips tips{{}, ThinningGrid(blocks_.shape())};
         if (centres_.empty()) return tips;
-        const ShortestPaths paths = shortest_paths(
+        const VoxelPaths paths = shortest_paths(
             blocks_.occupied(), [&](VoxelIndex b) { return blocks_.links(b); },
             [&](VoxelIndex b) { return blocks_.squared_radius(b); }, centres_);
         for (const VoxelIndex centre : centres_) tips.tree.set(centre);
@@ -154,4 +155,5 @@ Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, 
     return TipSearch(blocks, centres, coverage, options).run();
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include "engine/skeleton/thinning.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 struct Tips {
     std::vector<VoxelIndex> blocks;  ///< in the order found, the farthest from all others first
@@ -19,4 +20,5 @@ struct Tips {
 Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
                const ThinningOptions& options);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -10,6 +10,7 @@
 #include <span>
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 /// How much of a point's inscribed ball is its own beside nearer points.
@@ -199,4 +200,5 @@ double tube_volume(const SkeletonGraph& graph) {
     return volume;
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

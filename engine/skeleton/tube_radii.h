@@ -6,6 +6,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace skeleton {
 
 /// The radius at each point of each branch that a round tube needs to hold the body around it: that
 /// of the cylinder with the volume of the voxels that are nearest to a short stretch of the branch,
@@ -25,4 +26,5 @@ namespace ossuary {
 /// The volume of tubes of the graph's own radii along its branches, in its unit cubed.
 [[nodiscard]] double tube_volume(const SkeletonGraph& graph);
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/skeleton/simple_point.h"
 
 namespace ossuary {
+inline namespace skeleton {
 namespace {
 
 bool is_removable(const SimplePointTest& is_simple, Neighborhood around) {
@@ -100,4 +101,5 @@ void thin_to_unit_width(ThinningGrid& object) {
     }
 }
 
+}  // namespace skeleton
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace ossuary {
+inline namespace voxel {
 
 Ballot::Ballot(const Vec3i& low, const Vec3i& high)
     : low_(low),
@@ -139,4 +140,5 @@ Vec3i Ballot::voxel(std::size_t i) const {
     return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)};
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -8,6 +8,7 @@
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// For each voxel of a box, how many of the thirteen lines through it say inside, how many outside
 /// and how many are silent.
@@ -50,4 +51,5 @@ private:
     std::vector<std::uint8_t> verdict_;
 };
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/inner_runs.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// The number of stretches of set bits that begin in a word. @param carry  the bit before it
@@ -66,4 +67,5 @@ BettiNumbers betti_numbers(const BitVolume& volume) {
     return betti;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

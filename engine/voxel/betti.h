@@ -5,6 +5,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// The Betti numbers of the foreground (26-connected) against its background (6-connected).
 struct BettiNumbers {
@@ -24,4 +25,5 @@ BettiNumbers betti_numbers(const BitVolume& volume);
 /// survey", 1989, sec. 6).
 std::int64_t euler_characteristic(const BitVolume& volume);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -1,6 +1,7 @@
 #include "engine/voxel/border.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 BitVolume border(const BitVolume& volume) {
     const Vec3i size = volume.size();
@@ -36,4 +37,5 @@ std::vector<Vec3i> border_points(const BitVolume& volume) {
     return points;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// The set voxels with a background voxel beyond at least one face (outside counts as background),
 /// x fastest, then y, then z.
@@ -13,4 +14,5 @@ std::vector<Vec3i> border_points(const BitVolume& volume);
 /// The same as a volume.
 BitVolume border(const BitVolume& volume);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace voxel {
 
 /// A pseudo-random number for each of `count` points; the number of an edge is the product of its
 /// points'.
@@ -46,4 +47,5 @@ struct BoundarySum {
     }
 };
 
+}  // namespace voxel
 }  // namespace ossuary

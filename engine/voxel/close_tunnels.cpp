@@ -7,6 +7,7 @@
 #include "engine/voxel/morphology.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// The box [low, high) of a volume. @pre within its bounds
@@ -65,4 +66,5 @@ std::size_t close_small_tunnels(BitVolume& volume) {
     return closed;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

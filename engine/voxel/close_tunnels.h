@@ -5,6 +5,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// Fills tunnels about two voxels wide and less, as voxelization makes them where two parts of a
 /// model nearly touch (fingers, a hand on a hip): of the voxels that a morphological closing by
@@ -14,4 +15,5 @@ namespace ossuary {
 /// @pre two empty layers on every side
 std::size_t close_small_tunnels(BitVolume& volume);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "engine/voxel/inner_runs.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Unites the runs of two rows that touch; `reach` is 0 when faces count and 1 when corners do.
@@ -128,4 +129,5 @@ FilledCavities fill_cavities(BitVolume& volume) {
     return filled;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

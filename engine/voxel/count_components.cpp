@@ -9,6 +9,7 @@
 #include "engine/mesh/disjoint_sets.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// A stretch along x of a beam: of the four rows y, y + 1, z, z + 1 with even y and z. Voxels of a
@@ -139,4 +140,5 @@ private:
 
 std::size_t count_components(const BitVolume& volume) { return Beams(volume).count_components(); }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -13,6 +13,7 @@
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// Finds the places where lines cross triangles; ray_columns.h says what counts as one. Small
 /// triangles, most of a fine mesh, go through in stages, so that what a branch would have to guess
@@ -160,4 +161,5 @@ private:
     std::array<Line, 4 * kChunk + 4> lines_;
 };
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace ossuary {
+inline namespace voxel {
 
 GroupColumns::GroupColumns(const BitVolume& volume, const DistanceField& field)
     : field_(field),
@@ -32,4 +33,5 @@ GroupColumns::GroupColumns(const BitVolume& volume, const DistanceField& field)
     }
 }
 
+}  // namespace voxel
 }  // namespace ossuary

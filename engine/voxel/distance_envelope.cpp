@@ -5,6 +5,7 @@
 #include "engine/voxel/distance_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Columns gathered at once: one cache line of the result, so that no step along the stride misses.
@@ -120,4 +121,5 @@ DistanceField distances_by_envelope(const BitVolume& volume) {
     return field;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

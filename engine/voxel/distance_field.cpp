@@ -1,6 +1,7 @@
 #include "engine/voxel/distance_field.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 DistanceField::DistanceField(const BitVolume& volume) : size_(volume.size()) {
     if (volume.voxel_count() == 0) return;
@@ -34,4 +35,5 @@ DistanceField::DistanceField(const BitVolume& volume) : size_(volume.size()) {
     squared_.assign(next, 0);
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #endif
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 constexpr std::size_t kLanes = DistanceField::kGroup;
@@ -166,4 +167,5 @@ std::optional<DistanceField> distances_by_scan(const BitVolume& volume) {
     return field;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

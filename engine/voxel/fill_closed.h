@@ -9,6 +9,7 @@
 #include "engine/voxel/surface_parts.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// Sets the voxels whose centre is inside some closed part: its winding number is not 0, or odd
 /// where the part is closed by parity only.
@@ -26,4 +27,5 @@ void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, 
 void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles, int axis,
                  const BitVolume& solid, std::vector<Vec3i>& voxels);
 
+}  // namespace voxel
 }  // namespace ossuary

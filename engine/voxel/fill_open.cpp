@@ -8,6 +8,7 @@
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Larger boxes are voted on slab by slab, so that memory stays within some hundred megabytes.
@@ -72,4 +73,5 @@ void fill_open_parts(const GridMesh& mesh, const SurfaceParts& parts, BitVolume&
     if (open_parts > 1) vote(mesh, all, volume);
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -5,6 +5,7 @@
 #include "engine/voxel/surface_parts.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// Sets the voxels that the open parts of a surface enclose, by the vote of the lines through each
 /// voxel in thirteen directions: a line that crosses the surface an even number of times votes by
@@ -13,4 +14,5 @@ namespace ossuary {
 /// polygons.
 void fill_open_parts(const GridMesh& mesh, const SurfaceParts& parts, BitVolume& volume);
 
+}  // namespace voxel
 }  // namespace ossuary

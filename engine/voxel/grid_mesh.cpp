@@ -9,6 +9,7 @@
 #include "engine/voxel/boundary_sum.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -220,4 +221,5 @@ Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& 
     return grid;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

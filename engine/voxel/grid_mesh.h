@@ -10,6 +10,7 @@
 #include "engine/voxel/voxelize.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// A position in the grid in fixed point: kGridOne units a voxel. Integers make every decision of
 /// the rasteriser exact, so that neighbouring triangles can neither leave a crack nor overlap.
@@ -49,4 +50,5 @@ inline constexpr int kGridMargin = 2;
 /// Errors: mesh_empty, mesh_no_extent, invalid_argument.
 Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& options);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/mesh/disjoint_sets.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// A stretch of background between two set voxels of a row.
@@ -106,4 +107,5 @@ private:
 
 std::size_t count_cavities(const BitVolume& volume) { return InnerRuns(volume).closed_sets(); }
 
+}  // namespace voxel
 }  // namespace ossuary

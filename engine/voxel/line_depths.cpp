@@ -5,6 +5,7 @@
 #include "engine/voxel/crossing_finder.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
                        const LineDirection& direction) {
@@ -42,4 +43,5 @@ LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> tria
     }
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// The depths at which lines cross triangles: cast_lines for those who need neither parts nor ways.
 class LineDepths {
@@ -34,4 +35,5 @@ private:
     std::vector<std::uint32_t> begin_;  ///< of each line, and one more, where the depths end
 };
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/voxel/ray_columns.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// A corner as seen along the lines. Sheared coordinates stay below 2^30.
 struct LinePoint {
@@ -202,4 +203,5 @@ private:
     double depth_, depth_per_u_, depth_per_v_;
 };
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -4,6 +4,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// The unused high bits of a row's last word.
@@ -106,4 +107,5 @@ bool is_near_thick_part(const BitVolume& volume, const Vec3i& v) {
     return any_block(0, 5);
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 constexpr std::string_view kMagic("\x93NUMPY", 6);
@@ -280,4 +281,5 @@ Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& pat
     return {};
 }
 
+}  // namespace voxel
 }  // namespace ossuary

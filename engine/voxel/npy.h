@@ -10,6 +10,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 struct NpyOptions {
     std::uint64_t max_voxels = std::uint64_t{1} << 30;  ///< 1024³
@@ -30,4 +31,5 @@ Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& 
 /// Errors: file_unwritable.
 Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& path);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -7,6 +7,7 @@
 #include "engine/voxel/crossing_finder.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Where the line (u, v) crosses a triangle, between two voxel centres.
@@ -182,4 +183,5 @@ LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int ax
     return marks.take();
 }
 
+}  // namespace voxel
 }  // namespace ossuary

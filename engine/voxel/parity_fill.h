@@ -9,6 +9,7 @@
 #include "engine/voxel/surface_parts.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// Sets the voxels whose centre is inside closed parts, on all lines along axis 0 on which parity
 /// tells as much as winding numbers do: each crossing flips a bit, and a running sum modulo two
@@ -25,4 +26,5 @@ LineSubset fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> c
 /// Of some lines along an axis those that cross twice between the same two centres.
 LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int axis);
 
+}  // namespace voxel
 }  // namespace ossuary

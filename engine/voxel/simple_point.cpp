@@ -4,6 +4,7 @@
 #include <bit>
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Bit dx + 1 + 3 (dy + 1) + 9 (dz + 1) of a neighbourhood is the voxel at (dx, dy, dz).
@@ -83,4 +84,5 @@ bool is_simple_point(const BitVolume& volume, const Vec3i& voxel) {
     return faces != 0 && (faces & ~flood(faces, background, kMasks.by_faces)) == 0;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -14,6 +14,7 @@
 #include "engine/voxel/count_components.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// A possible bridge; ordered by length, then by place.
@@ -190,4 +191,5 @@ JoinedComponents join_components(BitVolume& volume, const JoinOptions& options) 
     return result;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

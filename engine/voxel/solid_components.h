@@ -5,6 +5,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 struct JoinedComponents {
     std::size_t bridged = 0;  ///< bridges built
@@ -23,4 +24,5 @@ struct JoinOptions {
 /// joined already, so that no tunnel comes of it.
 JoinedComponents join_components(BitVolume& volume, const JoinOptions& options);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -9,6 +9,7 @@
 #include "engine/voxel/boundary_sum.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 using Kind = SurfaceParts::Kind;
@@ -204,4 +205,5 @@ SurfaceParts find_parts(GridMesh& mesh) {
     return parts;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

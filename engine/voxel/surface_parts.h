@@ -7,6 +7,7 @@
 #include "engine/voxel/grid_mesh.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 /// A surface taken apart for inside tests.
 struct SurfaceParts {
@@ -28,4 +29,5 @@ struct SurfaceParts {
 /// parts of their own; what remains is open, in pieces that share points.
 SurfaceParts find_parts(GridMesh& mesh);
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -11,6 +11,7 @@
 #include "engine/voxel/thin_lines.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 /// Calls visit(Vec3i) for the voxels of places between two points that are at most `spacing` apart.
@@ -161,4 +162,5 @@ std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
     return added.size() - peel(std::move(candidates), volume);
 }
 
+}  // namespace voxel
 }  // namespace ossuary

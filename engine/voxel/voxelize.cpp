@@ -19,6 +19,7 @@
 #include "engine/voxel/thin_parts.h"
 
 namespace ossuary {
+inline namespace voxel {
 namespace {
 
 void warn(VoxelSolid& solid, const char* code, std::size_t count, const std::string& message) {
@@ -158,4 +159,5 @@ Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& opt
     return solid;
 }
 
+}  // namespace voxel
 }  // namespace ossuary

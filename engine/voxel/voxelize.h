@@ -8,6 +8,7 @@
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary {
+inline namespace voxel {
 
 struct VoxelizeOptions {
     int resolution = 96;  ///< voxels along the longest side of the bounding box, in [8, 1024]
@@ -58,4 +59,5 @@ struct VoxelSolid {
 /// option out of its range, coordinates that are not finite).
 Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options = {});
 
+}  // namespace voxel
 }  // namespace ossuary

@@ -6,6 +6,7 @@
 #include "index/migrations.h"
 #include "index/store.h"
 #include "tests/index/sample_index.h"
+#include "tests/support/source_folder.h"
 
 namespace ossuary::index {
 namespace {
@@ -295,7 +296,7 @@ TEST(Migrations, AreNumberedWithoutGaps) {
 
 TEST(Migrations, AreAllThatTheFolderHolds) {
     std::size_t files = 0;
-    for (const auto& entry : fs::directory_iterator(fs::path(OSSUARY_SOURCE_DIR) / "migrations")) {
+    for (const auto& entry : fs::directory_iterator(test::source_folder() / "migrations")) {
         if (entry.path().extension() != ".sql") continue;
         ++files;
         const std::string text = test::read_file(entry.path());

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/support/source_folder.h"
+
 namespace ossuary::test {
 namespace {
 
@@ -51,7 +53,7 @@ void PrintTo(const OffCase& off_case, std::ostream* out) { *out << off_case.name
 
 std::vector<OffCase> off_cases(const std::string& folder) {
     std::vector<OffCase> cases;
-    const fs::path root = fs::path(OSSUARY_SOURCE_DIR) / "tests" / "corpus" / "off" / folder;
+    const fs::path root = source_folder() / "tests" / "corpus" / "off" / folder;
     for (const auto& entry : fs::directory_iterator(root)) {
         if (entry.path().extension() == ".off") cases.push_back(read_case(entry.path()));
     }
