@@ -14,6 +14,9 @@
 #   motion of each glTF rig; meshes, joints and weights are all there, so counting them does not find it.
 # Needs: apt-get with a package list of Debian 12, dpkg, python3. Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in apt-get dpkg python3; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -104,4 +107,5 @@ turn, FBX: 1 s, 1 keys
 all, glTF: 1 s, 2 keys
 all, Collada: 1000 s, 2 keys
 all, FBX: 1 s, 1 keys'
-[[ $seen == "$expected" && $times == "0 1000" && $ticks == 0,46186158000000 ]] || { echo "changed: no longer as stated above" >&2; exit 1; }
+[[ $seen == "$expected" && $times == "0 1000" && $ticks == 0,46186158000000 ]] ||
+    { echo "changed: no longer as stated above" >&2; exit 1; }

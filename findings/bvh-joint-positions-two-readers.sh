@@ -10,6 +10,9 @@
 #   of bones, a rig matched by proportions, and feet on the ground are wrong. Compare |position| with |OFFSET| in frame 0.
 # Needs: apt-get with a package list of Debian 12, dpkg, node 18 or later, npm. Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in apt-get dpkg node npm; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -23,7 +26,8 @@ LD_LIBRARY_PATH=$(echo "$work"/root/usr/lib/*-linux-gnu)
 export LD_LIBRARY_PATH
 export npm_config_cache=$work/cache npm_config_update_notifier=false
 echo '{"private": true, "type": "module"}' > package.json
-npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 || { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
+npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 ||
+    { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
 
 # The hip stands at height 10, the shin is 1 long. $2: what the position channels of the shin hold.
 capture() {

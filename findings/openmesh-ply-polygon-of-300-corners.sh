@@ -10,6 +10,9 @@
 #   file is written; a reader can only notice that the counts do not fill the file. Triangulate before writing PLY.
 # Needs: apt-get with a package list of Debian 12, dpkg, g++, python3. Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in apt-get dpkg python3 g++; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -18,7 +21,8 @@ debian() {
     apt-get -qq download "$@" > /dev/null 2>&1 || { echo "not all available (any more): $*" >&2; exit 2; }
     for archive in *.deb; do dpkg -x "$archive" root; done
 }
-debian libopenmesh-dev=9.0-4+b1 assimp-utils=5.2.5~ds0-1+b1 libassimp5=5.2.5~ds0-1+b1 libdraco7=1.5.5+dfsg-2 libminizip1=1.1-8+deb12u1
+debian libopenmesh-dev=9.0-4+b1 assimp-utils=5.2.5~ds0-1+b1 libassimp5=5.2.5~ds0-1+b1 libdraco7=1.5.5+dfsg-2 \
+    libminizip1=1.1-8+deb12u1
 libraries=$(echo "$work"/root/usr/lib/*-linux-gnu)
 export LD_LIBRARY_PATH=$libraries PATH=$work/root/usr/bin:$PATH
 

@@ -11,6 +11,9 @@
 #   has no volume, is voxelized hollow and matches other shapes. Count the corners in the file, not only the faces that come.
 # Needs: apt-get with a package list of Debian 12, dpkg, node 20 or later, npm. Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in apt-get dpkg node npm; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
@@ -24,7 +27,8 @@ LD_LIBRARY_PATH=$(echo "$work"/root/usr/lib/*-linux-gnu)
 export LD_LIBRARY_PATH PATH=$work/root/usr/bin:$PATH
 export npm_config_cache=$work/cache npm_config_update_notifier=false
 echo '{"private": true, "type": "module"}' > package.json
-npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 || { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
+npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 ||
+    { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
 
 cat > prisms.js << 'JAVASCRIPT'
 import { execFileSync } from 'node:child_process';

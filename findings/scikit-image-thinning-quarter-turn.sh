@@ -10,6 +10,9 @@
 #   a plot of one model does not.
 # Needs: apt-get with a package list of Debian 12, dpkg, python3 (3.11). Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in apt-get dpkg python3; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

@@ -10,13 +10,17 @@
 #   says "different", and a measure of pose finds none in OBJ and PLY. Bake the pose into the vertices before exporting.
 # Needs: node 18 or later, npm. Exit 0: as stated. 1: changed. 2: not to be had.
 set -euo pipefail
+for tool in node npm; do
+    command -v "$tool" > /dev/null || { echo "$tool is missing" >&2; exit 2; }
+done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 export npm_config_cache=$work/cache npm_config_update_notifier=false
 echo '{"private": true, "type": "module"}' > package.json
-npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 || { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
+npm install --silent --no-audit --no-fund three@0.187.0 > /dev/null 2>&1 ||
+    { echo "three 0.187.0 is not available (any more)" >&2; exit 2; }
 
 cat > pose.js << 'JAVASCRIPT'
 import * as THREE from 'three';
