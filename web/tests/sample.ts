@@ -1,3 +1,5 @@
+import { vi } from 'vitest';
+
 import type { Client } from '../src/api/client';
 import type {
     Evaluation,
@@ -192,6 +194,11 @@ export async function settled(): Promise<void> {
         await Promise.resolve();
     }
     await new Promise((resolve) => setTimeout(resolve, 0));
+}
+
+/** Until a check holds; on a busy machine a module alone may take seconds to arrive. */
+export function eventually(check: () => void): Promise<void> {
+    return vi.waitFor(check, { timeout: 120_000 });
 }
 
 /** Numbers that look random and are the same at each run. */

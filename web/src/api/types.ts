@@ -5,6 +5,12 @@
 
 export type Point = [number, number, number];
 
+/** The axis of a model's file that points up. */
+export type UpAxis = 'y' | 'z';
+
+/** That of models of which nobody says it. */
+export const kUsualUp: UpAxis = 'y';
+
 export interface Bounds {
     min: Point;
     max: Point;
@@ -30,6 +36,7 @@ export interface ModelSummary {
     surface_area: number;
     indexed_at: string;
     warnings: Warning[];
+    up?: UpAxis;
 }
 
 export interface ModelPage {
@@ -65,6 +72,8 @@ export interface Skeleton {
 
 /** At most a few thousand triangles: what the index keeps for drawing. */
 export interface PreviewMesh {
+    /** From where the positions are counted, in the file's frame; missing: from the file's own origin. */
+    origin?: Point;
     positions: number[];
     triangles: number[];
     bounds: Bounds;
@@ -126,6 +135,7 @@ export interface QueryModel {
     warnings: Warning[];
     skeleton: Skeleton;
     mesh?: PreviewMesh;
+    up?: UpAxis;
 }
 
 export interface SearchResult {

@@ -1,6 +1,6 @@
 import { isAbort } from '../api/problem';
 import type { SearchParameters } from '../api/search_parameters';
-import type { Hit, PreviewMesh, SearchResult } from '../api/types';
+import { type Hit, kUsualUp, type PreviewMesh, type SearchResult, type UpAxis } from '../api/types';
 import type { Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
@@ -20,6 +20,7 @@ type ResultsRoute = Extract<Route, { page: 'results' }>;
 interface Answer {
     result: SearchResult;
     mesh: PreviewMesh | null;
+    up: UpAxis;
 }
 
 function sameParameters(a: SearchParameters, b: SearchParameters): boolean {
@@ -34,11 +35,12 @@ async function ask(
 ): Promise<Answer | null> {
     const { query, parameters } = route;
     if (query.kind === 'model') {
-        const [result, mesh] = await Promise.all([
+        const [result, mesh, { up }] = await Promise.all([
             context.client.similar(query.id, parameters, signal),
             context.client.mesh(query.id, signal),
+            context.client.model(query.id, signal),
         ]);
-        return { result, mesh };
+        return { result, mesh, up: up ?? kUsualUp };
     }
     const { upload } = context;
     if (!upload) {
@@ -48,7 +50,7 @@ async function ask(
         ? upload.result
         : await context.client.search(upload.file, parameters, signal);
     context.upload = { file: upload.file, parameters, result };
-    return { result, mesh: result.query.mesh ?? null };
+    return { result, mesh: result.query.mesh ?? null, up: result.query.up ?? kUsualUp };
 }
 
 /** What is similar to the query, and on top of it the 3D comparison with one hit. */
@@ -77,7 +79,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
         closed?.dispose();
     };
     const backToHits = (): void => context.navigate(resultsOf(route.query, route.parameters));
-    const hitDialog = ({ result, mesh }: Answer, id: number): ViewerDialog | null => {
+    const hitDialog = ({ result, mesh, up }: Answer, id: number): ViewerDialog | null => {
         const { hits, query } = result;
         const place = hits.findIndex((hit) => hit.id === id);
         const hit = hits[place];
@@ -90,6 +92,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
             {
                 query,
                 queryMesh: mesh,
+                queryUp: up,
                 hit,
                 previousHref: before ? hrefOf(before) : null,
                 nextHref: after ? hrefOf(after) : null,
@@ -108,7 +111,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
         } else if (route.query.kind === 'model') {
             const { query } = answer.result;
             dialog = partsDialog(
-                { id: route.query.id, query, onClose: backToHits },
+                { id: route.query.id, query, up: answer.up, onClose: backToHits },
                 context.client,
             );
         }
@@ -138,7 +141,7 @@ export function resultsPage(first: ResultsRoute, context: Context): Page {
             const { query } = route;
             const partsHref =
                 query.kind === 'model' ? formatRoute(partsOf(query.id, route.parameters)) : null;
-            void panel.show(result.query, { mesh: found.mesh, partsHref });
+            void panel.show(result.query, { mesh: found.mesh, up: found.up, partsHref });
         }
         openDialog();
     };

@@ -2,8 +2,35 @@ import type { Bounds, Point, PreviewMesh, Skeleton } from '../api/types';
 
 /** Takes a model to the unit sphere around the origin: (p - center) * scale. */
 export interface Frame {
+    /** In the file's frame. */
     center: Point;
     scale: number;
+}
+
+const kFileOrigin: Readonly<Point> = [0, 0, 0];
+
+/**
+ * Where a point lies in the unit sphere; `origin` is what the point is counted from. To be called before
+ * numbers become those of a vertex buffer, whose seven places are not enough far from the origin.
+ */
+export function toUnit(frame: Frame, point: Point, origin: Readonly<Point> = kFileOrigin): Point {
+    const { center, scale } = frame;
+    return [
+        (origin[0] - center[0] + point[0]) * scale,
+        (origin[1] - center[1] + point[1]) * scale,
+        (origin[2] - center[2] + point[2]) * scale,
+    ];
+}
+
+/** The vertices of a mesh in the unit sphere, three numbers each. */
+export function unitPositions(frame: Frame, mesh: PreviewMesh): Float32Array {
+    const unit = new Float32Array(mesh.positions.length);
+    let at = 0;
+    for (const vertex of vertices(mesh)) {
+        unit.set(toUnit(frame, vertex, mesh.origin), at);
+        at += 3;
+    }
+    return unit;
 }
 
 export function boundsOf(points: Iterable<Point>): Bounds | null {
@@ -48,7 +75,9 @@ export function frameOf(points: readonly Point[]): Frame {
 /** The mesh decides where there is one; a skeleton alone is framed by its own points. */
 export function frameModel(mesh: PreviewMesh | null, skeleton: Skeleton): Frame {
     if (mesh && mesh.triangles.length > 0) {
-        return frameOf([...vertices(mesh)]);
+        const { center, scale } = frameOf([...vertices(mesh)]);
+        const [x, y, z] = mesh.origin ?? kFileOrigin;
+        return { center: [x + center[0], y + center[1], z + center[2]], scale };
     }
     const lines = skeleton.branches.flatMap((branch) => branch.points);
     return frameOf([...lines, ...skeleton.nodes.map((node) => node.position)]);

@@ -1,4 +1,4 @@
-import type { Segments, Skeleton } from '../api/types';
+import type { Segments, Skeleton, UpAxis } from '../api/types';
 import { type Child, element } from '../page/element';
 import { formatPlural } from '../page/format';
 import { dialogContent } from './dialog_content';
@@ -17,6 +17,7 @@ export interface PartsInput {
     segments: Segments;
     /** Binary glTF. */
     rig: ArrayBuffer;
+    up: UpAxis;
 }
 
 function button(label: string, click: () => void): HTMLElement {
@@ -83,6 +84,7 @@ export async function partsView(input: PartsInput): Promise<View> {
             skeleton: input.skeleton,
             colors,
             label: `${input.name} by its parts`,
+            up: input.up,
             onHover: hovered,
         });
         pane.node.append(label);

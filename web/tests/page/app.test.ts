@@ -7,6 +7,7 @@ const client = clientWith({
     models: async () => ({ models: [model(7)], next_cursor: null, total: 1, revision: 1 }),
     similar: async () => searchResult([hit(1)]),
     mesh: async () => kMesh,
+    model: async () => model(7),
     evaluation: async (ranker) => evaluation({ ranker }),
 });
 
