@@ -3,6 +3,7 @@ import { type Hit, kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } fr
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
 import { formatRoute, partsOf, resultsOf } from '../page/routes';
+import { partsList } from './parts_list';
 import { type ViewerDialog, viewerDialog } from './viewer_dialog';
 
 export interface ComparisonOptions {
@@ -64,7 +65,7 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
                 },
                 hit: { name: hit.name, mesh, skeleton, up: up ?? kUsualUp },
                 match: hit.match,
-                parts: hit.parts,
+                note: partsList(hit.parts),
             });
         },
         onClose,

@@ -7,7 +7,6 @@ import { type MatchTable, matchTable } from './match_table';
 import { kFirstOrbit } from './orbit';
 import { OrbitSource } from './orbit_input';
 import { Pane } from './pane';
-import { partsList } from './parts_list';
 import type { ScreenPoint } from './pick';
 import { noWebGlNotice, type ViewedModel } from './query_view';
 import { toggle } from './toggle';
@@ -17,7 +16,8 @@ export interface ComparisonInput {
     query: ViewedModel;
     hit: ViewedModel;
     match: Correspondence;
-    parts: Record<string, number>;
+    /** Said of the comparison between its summary and its table. */
+    note: HTMLElement;
 }
 
 export interface Comparison {
@@ -182,7 +182,7 @@ export function comparison(input: ComparisonInput): Comparison {
                   ]
                 : noWebGlNotice(),
             element('p', { class: 'match-summary' }, summary(input)),
-            partsList(input.parts),
+            input.note,
             linked.table.node,
         ),
         dispose: () => linked.dispose(),
