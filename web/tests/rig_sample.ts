@@ -1,4 +1,4 @@
-import type { Point, Segments } from '../src/api/types';
+import type { Segments, Vector } from '../src/api/types';
 
 /**
  * A rigged model as the server writes it: two triangles along x, each a part with a bone of its
@@ -41,7 +41,7 @@ function bytesOf(view: ArrayBufferView): Uint8Array {
 export interface RigFileOptions {
     withBranches: boolean;
     /** The vertices' zero in the file's frame: the translation of a node above bones and mesh. */
-    origin: Point | null;
+    origin: Vector | null;
 }
 
 const kDefaults: RigFileOptions = { withBranches: true, origin: null };

@@ -1,5 +1,6 @@
 import type { Client } from '../api/client';
-import { type Hit, kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } from '../api/types';
+import { kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } from '../api/elements';
+import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
 import { formatRoute, partsOf, resultsOf } from '../page/routes';

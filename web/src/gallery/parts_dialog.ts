@@ -1,5 +1,5 @@
 import type { Client } from '../api/client';
-import type { QueryModel, UpAxis } from '../api/types';
+import type { QueryModel, UpAxis } from '../api/elements';
 import { element } from '../page/element';
 import { type ViewerDialog, viewerDialog } from './viewer_dialog';
 

@@ -1,4 +1,4 @@
-import type { PreviewMesh, QueryModel, UpAxis } from '../api/types';
+import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import { element, replace } from '../page/element';
 import { formatCount } from '../page/format';
 

@@ -1,6 +1,7 @@
+import { kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } from '../api/elements';
 import { isAbort } from '../api/problem';
 import type { SearchParameters } from '../api/search_parameters';
-import { type Hit, kUsualUp, type PreviewMesh, type SearchResult, type UpAxis } from '../api/types';
+import type { Hit, SearchResult } from '../api/types';
 import type { Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
@@ -50,7 +51,8 @@ async function ask(
         ? upload.result
         : await context.client.search(upload.file, parameters, signal);
     context.upload = { file: upload.file, parameters, result };
-    return { result, mesh: result.query.mesh ?? null, up: result.query.up ?? kUsualUp };
+    const { mesh, up = kUsualUp }: QueryModel = result.query;
+    return { result, mesh: mesh ?? null, up };
 }
 
 /** What is similar to the query, and on top of it the 3D comparison with one hit. */

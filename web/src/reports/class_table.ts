@@ -1,4 +1,4 @@
-import type { ClassMetrics } from '../api/types';
+import type { ClassMetrics } from '../api/elements';
 import { element, replace } from '../page/element';
 import { formatCount, formatShare } from '../page/format';
 import {

@@ -1,4 +1,4 @@
-import type { Confusion } from '../api/types';
+import type { Confusion } from '../api/elements';
 import { element } from '../page/element';
 import { commonMistakes } from './report_data';
 

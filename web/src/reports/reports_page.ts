@@ -1,5 +1,6 @@
+import { kRankers } from '../api/elements';
 import { ApiError, isAbort } from '../api/problem';
-import { type Evaluation, kRankers, type Ranker } from '../api/types';
+import type { Evaluation, Ranker } from '../api/types';
 import type { Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { capitalise, formatCount, formatName, formatPlural } from '../page/format';

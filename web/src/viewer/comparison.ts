@@ -1,4 +1,4 @@
-import type { Correspondence } from '../api/types';
+import type { Match } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance, formatPlural } from '../page/format';
 import { assignBranchColors, type BranchColors, type ColoredPair } from './branch_colors';
@@ -15,7 +15,7 @@ import { hasWebGl } from './webgl';
 export interface ComparisonInput {
     query: ViewedModel;
     hit: ViewedModel;
-    match: Correspondence;
+    match: Match;
     /** Said of the comparison between its summary and its table. */
     note: HTMLElement;
 }

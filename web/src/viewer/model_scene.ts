@@ -11,7 +11,8 @@ import {
 } from 'three';
 import { mergeVertices, toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
-import type { Point, PreviewMesh, Skeleton, SkeletonNode } from '../api/types';
+import type { PreviewMesh, SkeletonNode } from '../api/elements';
+import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
 import { type Frame, frameModel, toUnit, unitPositions } from './frame';
 import { surfaceMaterial } from './surface_material';
@@ -40,7 +41,7 @@ type Solid = Mesh<BufferGeometry, MeshStandardMaterial>;
 
 interface BranchTube {
     solid: Solid;
-    line: Point[];
+    line: Vector[];
     /** The radius that the geometry was made with; 0: not yet. */
     radius: number;
 }
@@ -84,7 +85,7 @@ export class ModelScene {
     }
 
     /** The branches' polylines in the unit sphere. */
-    get branchLines(): { id: number; points: Point[] }[] {
+    get branchLines(): { id: number; points: Vector[] }[] {
         return [...this.tubes_].map(([id, { line }]) => ({ id, points: line }));
     }
 

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 
-import type { UpAxis } from '../api/types';
+import type { UpAxis } from '../api/elements';
 import { ModelScene, type ModelSceneInput } from './model_scene';
 import type { OrbitSource } from './orbit_input';
 import { nearestLine, type ScreenLine, type ScreenPoint } from './pick';

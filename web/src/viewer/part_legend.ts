@@ -1,4 +1,4 @@
-import type { SegmentPart } from '../api/types';
+import type { SegmentPart } from '../api/elements';
 import { element } from '../page/element';
 
 export interface PartLegendOptions {

@@ -1,4 +1,5 @@
-import type { Segments, Skeleton, UpAxis } from '../api/types';
+import type { UpAxis } from '../api/elements';
+import type { Segments, Skeleton } from '../api/types';
 import { type Child, element } from '../page/element';
 import { formatPlural } from '../page/format';
 import { dialogContent } from './dialog_content';

@@ -7,7 +7,7 @@ import {
     WebGLRenderer,
 } from 'three';
 
-import type { UpAxis } from '../api/types';
+import type { UpAxis } from '../api/elements';
 import { element } from '../page/element';
 import { cameraPosition } from './orbit';
 import { attachOrbitInput, type OrbitSource } from './orbit_input';

@@ -1,4 +1,5 @@
-import type { PreviewMesh, Skeleton, UpAxis } from '../api/types';
+import type { PreviewMesh, UpAxis } from '../api/elements';
+import type { Skeleton } from '../api/types';
 import { element } from '../page/element';
 import { OrbitSource } from './orbit_input';
 import { Pane } from './pane';

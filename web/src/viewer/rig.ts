@@ -1,14 +1,14 @@
 import { Bone, type BufferGeometry, type Object3D, SkinnedMesh, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 
-import type { Point } from '../api/types';
+import type { Vector } from '../api/types';
 
 /** A model that moves with its bones, as the server's glTF says. */
 export interface Rig {
     /** Holds the bones, in the file's frame. */
     root: Object3D;
     /** From where the vertices are counted, in the file's frame. */
-    origin: Point;
+    origin: Vector;
     /** By the number of the part. */
     parts: SkinnedMesh<BufferGeometry>[];
     /** Parents before children; the first holds all others. */
@@ -33,7 +33,7 @@ function partOf(mesh: SkinnedMesh): number {
 }
 
 /** Where the bones at rest take the vertices' zero; numbers of three.js' matrices are doubles. */
-function originOf(mesh: SkinnedMesh | undefined): Point {
+function originOf(mesh: SkinnedMesh | undefined): Vector {
     const [bone] = mesh?.skeleton.bones ?? [];
     const [inverse] = mesh?.skeleton.boneInverses ?? [];
     return bone && inverse

@@ -1,6 +1,7 @@
 import { Raycaster, Vector2, Vector3 } from 'three';
 
-import type { Skeleton, UpAxis } from '../api/types';
+import type { UpAxis } from '../api/elements';
+import type { Skeleton } from '../api/types';
 import { JointHandles } from './joint_handles';
 import { kFirstOrbit } from './orbit';
 import { OrbitSource } from './orbit_input';

@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
-import type { Point, Skeleton } from '../api/types';
+import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
 import { frameOf } from './frame';
 import { positionOf } from './pose';
@@ -40,8 +40,8 @@ interface Part {
     color: string;
 }
 
-function pointsOf(parts: readonly SkinnedMesh<BufferGeometry>[]): Point[] {
-    const points: Point[] = [];
+function pointsOf(parts: readonly SkinnedMesh<BufferGeometry>[]): Vector[] {
+    const points: Vector[] = [];
     for (const { geometry } of parts) {
         const positions = geometry.getAttribute('position');
         for (let at = 0; at < positions.count; at++) {
@@ -213,7 +213,7 @@ export class RigScene {
             }
             const from = positionOf(bone);
             const line = branch.points.map(
-                ([x, y, z]): Point => [
+                ([x, y, z]): Vector => [
                     x - rig.origin[0] - from.x,
                     y - rig.origin[1] - from.y,
                     z - rig.origin[2] - from.z,

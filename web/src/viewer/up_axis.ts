@@ -1,6 +1,6 @@
 import { Group } from 'three';
 
-import type { UpAxis } from '../api/types';
+import type { UpAxis } from '../api/elements';
 import { element } from '../page/element';
 
 const kAxes: readonly UpAxis[] = ['y', 'z'];

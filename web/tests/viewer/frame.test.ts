@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
-import type { Point } from '../../src/api/types';
+import type { Vector } from '../../src/api/types';
 import { boundsOf, frameModel, frameOf, toUnit, unitPositions } from '../../src/viewer/frame';
 import { kMesh, kSkeleton, randomNumbers } from '../sample';
 
-function framed(points: readonly Point[]): number[] {
+function framed(points: readonly Vector[]): number[] {
     const { center, scale } = frameOf(points);
     return points.map(
         (point) => scale * Math.hypot(...point.map((value, axis) => value - (center[axis] ?? 0))),
@@ -17,7 +17,7 @@ describe('frameOf', () => {
         for (const size of [1e-6, 1, 1e6]) {
             const points = Array.from(
                 { length: 40 },
-                () => [random() * size + 5 * size, random() * size, random() * 3 * size] as Point,
+                () => [random() * size + 5 * size, random() * size, random() * 3 * size] as Vector,
             );
             expect(Math.max(...framed(points))).toBeCloseTo(1, 9);
         }
@@ -41,7 +41,7 @@ describe('frameModel', () => {
 
 describe('toUnit', () => {
     it('keeps every place of a model far from the origin of its file', () => {
-        const far: Point = [4e6, -7e6, 3e5];
+        const far: Vector = [4e6, -7e6, 3e5];
         const near = frameModel(kMesh, kSkeleton);
         const frame = frameModel({ ...kMesh, origin: far }, kSkeleton);
         expect(frame.scale).toBe(near.scale);

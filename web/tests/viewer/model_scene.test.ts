@@ -1,7 +1,7 @@
 import { Box3, Group, Mesh, type MeshStandardMaterial, type Object3D } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 
-import type { Point } from '../../src/api/types';
+import type { Vector } from '../../src/api/types';
 import { ModelScene } from '../../src/viewer/model_scene';
 import { readViewerTheme } from '../../src/viewer/theme';
 import { kMesh, kSkeleton } from '../sample';
@@ -55,8 +55,8 @@ describe('ModelScene', () => {
     });
 
     it('shows a model far from the origin of its file as it shows one near it', () => {
-        const far: Point = [4e7, -7e6, 3e5];
-        const moved = ([x, y, z]: Point): Point => [x + far[0], y + far[1], z + far[2]];
+        const far: Vector = [4e7, -7e6, 3e5];
+        const moved = ([x, y, z]: Vector): Vector => [x + far[0], y + far[1], z + far[2]];
         const model = new ModelScene(
             {
                 mesh: { ...kMesh, origin: far },

@@ -9,7 +9,7 @@ import {
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 
-import type { Point } from '../../src/api/types';
+import type { Vector } from '../../src/api/types';
 import { findHandles, Pose } from '../../src/viewer/pose';
 import { loadRig } from '../../src/viewer/rig';
 import { RigScene } from '../../src/viewer/rig_scene';
@@ -104,8 +104,8 @@ describe('RigScene', () => {
     });
 
     it('shows a model far from the origin of its file as it shows one near it', async () => {
-        const far: Point = [4e7, -7e6, 3e5];
-        const moved = ([x, y, z]: Point): Point => [x + far[0], y + far[1], z + far[2]];
+        const far: Vector = [4e7, -7e6, 3e5];
+        const moved = ([x, y, z]: Vector): Vector => [x + far[0], y + far[1], z + far[2]];
         const branches = kSkeleton.branches.map((branch) => ({
             ...branch,
             points: branch.points.map(moved),
