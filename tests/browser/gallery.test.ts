@@ -241,6 +241,28 @@ describe('the 3D comparison', () => {
         expectGoodManners();
     });
 
+    it('stands a model on another of its axes, and that one alone', async () => {
+        const page = await openComparison();
+        const [left, right] = await page.locator('dialog .pane-canvas').all();
+        if (!left || !right) {
+            throw new Error('there are no two pictures');
+        }
+        const axis = (name: string) =>
+            page.locator('dialog .up-control').first().getByRole('button', { name });
+        const pictures = async () => {
+            await page.locator('.match-summary').hover();
+            return [await pictureOf(left), await pictureOf(right)] as const;
+        };
+        const before = await pictures();
+        await axis('z up').click();
+        const turned = await pictures();
+        expect(turned[0].equals(before[0])).toBe(false);
+        expect(turned[1].equals(before[1])).toBe(true);
+        await axis('y up').click();
+        expect((await pictures())[0].equals(before[0])).toBe(true);
+        expectGoodManners();
+    });
+
     it('keeps its tables where there is no WebGL', async () => {
         visitor = await visit(collection.browser, collection.origin);
         const { page } = visitor;
@@ -251,6 +273,30 @@ describe('the 3D comparison', () => {
         await page.locator('.hit-card a').first().click();
         await page.locator('dialog .no-webgl').waitFor();
         expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
+        expectGoodManners();
+    });
+});
+
+describe('a model that says which of its axes points up', () => {
+    it.each(['y', 'z'])('stands upright on %s, alone, compared and in parts', async (up) => {
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
+        await page.route(/\/v1\/models\/\d+$/, async (route) => {
+            const response = await route.fetch();
+            await route.fulfill({ response, json: { ...(await response.json()), up } });
+        });
+        await page.reload();
+        const said = (place: string) =>
+            page.locator(`${place} .up-control [aria-pressed=true]`).allTextContents();
+        await untilDrawn(page.locator('.query-picture canvas'));
+        expect(await said('.query-picture')).toEqual([`${up} up`]);
+        await page.locator('.hit-card a').first().click();
+        await untilDrawn(page.locator('dialog .pane-canvas').last());
+        expect(await said('dialog')).toEqual([`${up} up`, `${up} up`]);
+        await page.keyboard.press('Escape');
+        await page.locator('dialog').waitFor({ state: 'detached' });
+        await page.getByRole('link', { name: 'Parts and pose' }).click();
+        await untilDrawn(page.locator('dialog .pane-canvas'));
+        expect(await said('dialog')).toEqual([`${up} up`]);
         expectGoodManners();
     });
 });
