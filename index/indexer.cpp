@@ -91,6 +91,11 @@ private:
 FileOutcome IndexRun::process(const fs::path& path) {
     FileOutcome outcome;
     if (stop_.stop_requested()) return outcome;
+    if (store_.owns(path)) {
+        outcome.kind = FileOutcome::Kind::kFailed;
+        outcome.error = {ErrorCode::kFormatUnknown, path.string() + ": is the index itself"};
+        return outcome;
+    }
     auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
     if (!bytes) {
         outcome.kind = FileOutcome::Kind::kFailed;

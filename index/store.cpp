@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "index/migrations.h"
+#include "index/store_file.h"
 #include "index/store_impl.h"
 
 namespace ossuary::index {
@@ -129,6 +130,14 @@ Result<Store> Store::create_or_open(const fs::path& path, const IndexParameters&
 }
 
 const fs::path& Store::path() const { return impl_->path; }
+
+bool Store::owns(const fs::path& file) const {
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
+        std::error_code none_there;
+        if (fs::equivalent(impl_->path.string() + ending, file, none_there)) return true;
+    }
+    return false;
+}
 
 const IndexParameters& Store::parameters() const { return impl_->parameters; }
 

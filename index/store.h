@@ -168,6 +168,10 @@ public:
     ~Store();
 
     [[nodiscard]] const std::filesystem::path& path() const;
+    /// Whether `file` is the index itself or one that SQLite keeps beside it, by whatever name.
+    /// Such a file must not be opened by anything but the store while the index is open: closing it
+    /// would take the store's locks away.
+    [[nodiscard]] bool owns(const std::filesystem::path& file) const;
     [[nodiscard]] const IndexParameters& parameters() const;
     /// The schema's version, after any migration.
     [[nodiscard]] int version() const;

@@ -3,9 +3,9 @@
 #include <sqlite3.h>
 
 #include <array>
-#include <fstream>
 
 #include "index/migrations.h"
+#include "index/store_file.h"
 
 namespace ossuary::index {
 
@@ -14,47 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kBusyTimeoutMs = 10'000;
-
-std::uint32_t big_endian_32(const char* bytes) {
-    std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-}
-
-Error foreign(const fs::path& path, std::string_view found) {
-    return {ErrorCode::kIndexForeign,
-            path.string() + ": not an Ossuary index (" + std::string(found) + ")"};
-}
-
-Error newer(const fs::path& path, std::int64_t version) {
-    return {ErrorCode::kIndexNewer,
-            path.string() + ": index of version " + std::to_string(version) +
-                ", this program knows versions up to " + std::to_string(schema_version()) +
-                "; use the program that made it, or a later one"};
-}
-
-/// Percent-encodes what an SQLite file: URI would take for its own.
-std::string file_uri(const fs::path& path, std::string_view query) {
-    std::string uri = "file:";
-    for (const char c : fs::absolute(path).string()) {
-        if (c == '%' || c == '?' || c == '#') {
-            constexpr std::string_view kDigits = "0123456789ABCDEF";
-            uri += '%';
-            uri += kDigits[static_cast<unsigned char>(c) >> 4];
-            uri += kDigits[static_cast<unsigned char>(c) & 15U];
-        } else {
-            uri += c;
-        }
-    }
-    return uri + std::string(query);
-}
-
-/// True when nothing waits in the write-ahead log, so that the file alone is the index.
-bool log_is_empty(const fs::path& path) {
-    std::error_code error;
-    const auto size = fs::file_size(path.string() + "-wal", error);
-    return error || size == 0;
-}
 
 /// A reader's connection. On a medium where SQLite cannot keep its -shm file an index is still
 /// readable if its log is empty, because then nobody can be writing it.
@@ -146,32 +105,6 @@ Error store_error(const fs::path& path, const SQLite::Exception& exception) {
     }
 }
 
-Result<FileKind> inspect_file(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return FileKind::kMissing;
-    if (error) return {ErrorCode::kIndexIo, path.string() + ": " + error.message()};
-    if (status.type() != fs::file_type::regular) return foreign(path, "not a regular file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {ErrorCode::kIndexIo, path.string() + ": cannot be opened for reading"};
-    std::array<char, 100> header{};
-    file.read(header.data(), header.size());
-    if (file.bad()) return {ErrorCode::kIndexIo, path.string() + ": cannot be read"};
-    if (file.gcount() == 0) return FileKind::kEmpty;
-    constexpr std::string_view kMagic("SQLite format 3\0", 16);
-    if (file.gcount() != static_cast<std::streamsize>(header.size()) ||
-        std::string_view(header.data(), kMagic.size()) != kMagic) {
-        return foreign(path, "its first bytes are those of another format");
-    }
-    // SQLite's file format, sec. 1.3: user version at 60, application id at 68.
-    if (big_endian_32(&header[68]) != static_cast<std::uint32_t>(kApplicationId)) {
-        return foreign(path, "an SQLite database of another program");
-    }
-    const std::uint32_t version = big_endian_32(&header[60]);
-    if (version > static_cast<std::uint32_t>(schema_version())) return newer(path, version);
-    return FileKind::kIndex;
-}
-
 Connection::Connection(const fs::path& path, int flags)
     : database_(path.string(), flags, kBusyTimeoutMs) {
     // An index may come from elsewhere: no code from its schema, and no trust in its pages.
@@ -202,14 +135,14 @@ Result<std::unique_ptr<Connection>> open_connection(const fs::path& path, Access
     if (*kind == FileKind::kMissing) {
         return {ErrorCode::kIndexNotFound, path.string() + ": no such index"};
     }
-    if (*kind == FileKind::kEmpty) return foreign(path, "the file is empty");
+    if (*kind == FileKind::kEmpty) return foreign_index(path, "the file is empty");
     return guarded(path, [&]() -> Opened {
         auto connection = access == Access::kReadOnly
                               ? open_reader(path)
                               : std::make_unique<Connection>(path, SQLite::OPEN_READWRITE);
         const std::int64_t version = connection->integer("PRAGMA user_version");
-        if (version > schema_version()) return newer(path, version);
-        if (version <= 0) return foreign(path, "it has no schema");
+        if (version > schema_version()) return newer_index(path, version);
+        if (version <= 0) return foreign_index(path, "it has no schema");
         if (access == Access::kReadWrite) {
             migrate(*connection);
             // Kept by the file, so that this changes it once only.

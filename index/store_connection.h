@@ -97,12 +97,6 @@ private:
     SQLite::Statement& statement_;
 };
 
-/// What stands at a path, told from its first hundred bytes without opening it as a database.
-enum class FileKind { kMissing, kEmpty, kIndex };
-
-/// Errors: index_foreign for anything else, index_newer, index_io when it cannot be read.
-Result<FileKind> inspect_file(const std::filesystem::path& path);
-
 /// An open database with its prepared statements. Throws SQLite::Exception; see `guarded`.
 class Connection {
 public:
