@@ -96,7 +96,7 @@ FileOutcome IndexRun::process(const fs::path& path) {
         outcome.error = {ErrorCode::kFormatUnknown, path.string() + ": is the index itself"};
         return outcome;
     }
-    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) {
         outcome.kind = FileOutcome::Kind::kFailed;
         outcome.error = bytes.error();
@@ -216,7 +216,7 @@ void IndexRun::move(const fs::path& path, FileOutcome outcome) {
         return;
     }
     // Another path of this run has taken the model's place.
-    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) return fail(path, "", bytes.error());
     FileOutcome described = describe_file(path, *bytes, content_hash(*bytes));
     if (described.kind == FileOutcome::Kind::kDescribed) {
@@ -361,7 +361,7 @@ Result<void> update_statistics(Store& store, int jobs) {
     if (state->statistics == state->models) return {};
     const auto snapshot = Snapshot::load(store);
     if (!snapshot) return snapshot.error();
-    return store.put_statistics(collection_statistics((*snapshot)->descriptors(), jobs),
+    return store.put_statistics(ranking::collection_statistics((*snapshot)->descriptors(), jobs),
                                 (*snapshot)->revision());
 }
 

@@ -9,26 +9,28 @@ namespace ossuary::index {
 
 namespace {
 
-StoredSkeleton with_chain_codes(SkeletonGraph graph, const SkeletonDescriptor& descriptor) {
+StoredSkeleton with_chain_codes(skeleton::SkeletonGraph graph,
+                                const matching::SkeletonDescriptor& descriptor) {
     StoredSkeleton skeleton{std::move(graph), {}};
-    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+    for (const matching::SkeletonDescriptor::Branch& branch : descriptor.branches) {
         skeleton.chain_codes.push_back(branch.chain_code);
     }
     return skeleton;
 }
 
 /// The models that may be hits, nearest first.
-std::vector<RankedModel> ranked(const Snapshot& snapshot, const ModelDescriptor& query,
-                                const SearchOptions& options, ModelId left_out) {
+std::vector<ranking::RankedModel> ranked(const Snapshot& snapshot,
+                                         const descriptor::ModelDescriptor& query,
+                                         const SearchOptions& options, ModelId left_out) {
     // One more, because the model that is left out is among the nearest. A class is looked for in
     // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
-    NearestOptions nearest;
+    ranking::NearestOptions nearest;
     const bool all = options.limit == 0 || !options.class_filter.empty();
     nearest.count = all ? snapshot.size() : options.limit + 1;
-    std::vector<RankedModel> hits;
-    for (const RankedModel& found :
-         nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
-                        snapshot.statistics(), options.rank, nearest)) {
+    std::vector<ranking::RankedModel> hits;
+    for (const ranking::RankedModel& found :
+         ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
+                                 snapshot.statistics(), options.rank, nearest)) {
         const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
         if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
@@ -39,10 +41,10 @@ std::vector<RankedModel> ranked(const Snapshot& snapshot, const ModelDescriptor&
 }
 
 /// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
-void find_hits(const Snapshot& snapshot, const ModelDescriptor& query, const SearchOptions& options,
-               ModelId left_out, SearchResult& result) {
+void find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
+               const SearchOptions& options, ModelId left_out, SearchResult& result) {
     Stopwatch watch;
-    for (const RankedModel& found : ranked(snapshot, query, options, left_out)) {
+    for (const ranking::RankedModel& found : ranked(snapshot, query, options, left_out)) {
         const ModelSummary& model = snapshot.models()[found.index];
         Hit hit;
         hit.rank = result.hits.size() + 1;
@@ -56,8 +58,8 @@ void find_hits(const Snapshot& snapshot, const ModelDescriptor& query, const Sea
     if (options.with_match) {
         for (Hit& hit : result.hits) {
             const auto position = snapshot.find(hit.id);
-            Match match = explain(query, *snapshot.descriptors()[*position], snapshot.statistics(),
-                                  options.rank);
+            matching::Match match = ranking::explain(query, *snapshot.descriptors()[*position],
+                                                     snapshot.statistics(), options.rank);
             hit.parts = std::move(match.parts);
             hit.matched_nodes = match.correspondence.nodes.size();
             hit.match = std::move(match.correspondence);
@@ -68,7 +70,7 @@ void find_hits(const Snapshot& snapshot, const ModelDescriptor& query, const Sea
     result.revision = snapshot.revision();
 }
 
-Result<void> check_rank_options(const RankOptions& options) {
+Result<void> check_rank_options(const ranking::RankOptions& options) {
     if (!(options.pose >= 0.0 && options.pose <= 1.0)) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.pose) + ", expected a number from 0 to 1"};
@@ -82,16 +84,16 @@ Result<void> check_rank_options(const RankOptions& options) {
 
 }  // namespace
 
-Result<Comparison> compare_meshes(const TriangleMesh& a, const TriangleMesh& b,
-                                  const IndexParameters& parameters, const RankOptions& options,
-                                  std::stop_token stop) {
+Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
+                                  const IndexParameters& parameters,
+                                  const ranking::RankOptions& options, std::stop_token stop) {
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
-    auto first = describe(a, describe_options(parameters), stop);
+    auto first = descriptor::describe(a, describe_options(parameters), stop);
     if (!first) return first.error();
-    auto second = describe(b, describe_options(parameters), stop);
+    auto second = descriptor::describe(b, describe_options(parameters), stop);
     if (!second) return second.error();
     Comparison comparison;
-    comparison.match = explain(first->descriptor, second->descriptor, {}, options);
+    comparison.match = ranking::explain(first->descriptor, second->descriptor, {}, options);
     comparison.a.skeleton =
         with_chain_codes(std::move(first->skeleton), first->descriptor.skeleton);
     comparison.b.skeleton =
@@ -139,13 +141,14 @@ Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
     return loaded;
 }
 
-Result<SearchResult> Searcher::search(const TriangleMesh& query, const SearchOptions& options,
+Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const SearchOptions& options,
                                       std::stop_token stop) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
     const Stopwatch total;
     const auto loaded = snapshot();
     if (!loaded) return loaded.error();
-    auto description = describe(query, describe_options(impl_->store.parameters()), stop);
+    auto description =
+        descriptor::describe(query, describe_options(impl_->store.parameters()), stop);
     if (!description) return description.error();
     if (stop.stop_requested()) return {ErrorCode::kCancelled, "the search was given up"};
     SearchResult result;
@@ -173,7 +176,7 @@ Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options)
     return result;
 }
 
-Result<Comparison> Searcher::compare(ModelId a, ModelId b, const RankOptions& options) {
+Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOptions& options) {
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
     auto found = consistent({a, b});
     if (!found) return found.error();
@@ -183,8 +186,8 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const RankOptions& op
     Comparison comparison;
     comparison.a = {models.models()[first], std::move(found->skeletons[0])};
     comparison.b = {models.models()[second], std::move(found->skeletons[1])};
-    comparison.match = explain(*models.descriptors()[first], *models.descriptors()[second],
-                               models.statistics(), options);
+    comparison.match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
+                                        models.statistics(), options);
     return comparison;
 }
 

@@ -29,14 +29,15 @@ Evaluations::Evaluations(std::filesystem::path index, std::size_t max_models, Lo
 Evaluations::~Evaluations() = default;
 
 std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snapshot,
-                                                     const RankOptions& options) {
+                                                     const ranking::RankOptions& options) {
     std::lock_guard lock(mutex_);
     const auto found = results_.find({snapshot.revision(), options.ranker, options.rerank});
     if (found == results_.end() || !found->second) return std::nullopt;
     return *found->second;
 }
 
-Result<Evaluations::Shared> Evaluations::get(const Snapshot& snapshot, const RankOptions& options,
+Result<Evaluations::Shared> Evaluations::get(const Snapshot& snapshot,
+                                             const ranking::RankOptions& options,
                                              std::stop_token stop) {
     const Evaluable found = evaluable(*snapshot);
     if (found.classes < 2) {

@@ -39,18 +39,19 @@ public:
     using Snapshot = std::shared_ptr<const index::Snapshot>;
 
     /// Errors: evaluation_not_found, cancelled when `stop` is requested first, those of `evaluate`.
-    Result<Shared> get(const Snapshot& snapshot, const RankOptions& options, std::stop_token stop);
+    Result<Shared> get(const Snapshot& snapshot, const ranking::RankOptions& options,
+                       std::stop_token stop);
     /// What `get` has at hand for this revision; none where it would have to compute.
     [[nodiscard]] std::optional<Shared> peek(const index::Snapshot& snapshot,
-                                             const RankOptions& options);
+                                             const ranking::RankOptions& options);
     [[nodiscard]] std::size_t max_models() const { return max_models_; }
 
 private:
-    using Key = std::tuple<index::Revision, RankerKind, bool>;
+    using Key = std::tuple<index::Revision, ranking::RankerKind, bool>;
     struct Task {
         Key key;
         Snapshot snapshot;
-        RankOptions options;
+        ranking::RankOptions options;
     };
     void work(std::stop_token stop);
     Result<Shared> compute(const Task& task);

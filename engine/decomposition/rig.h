@@ -8,8 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A model that can be moved by its skeleton (thesis sec. 4.1.2): a tree of joints, and how much
 /// each vertex follows which of them.
@@ -36,7 +35,7 @@ struct Rig {
 /// the branch that they are mapped to (branch_mapping.h); then the weights are spread over the
 /// surface, `smoothing` times half to the neighbours, and the four largest kept.
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint
-Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smoothing = 12);
+Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
+             int smoothing = 12);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Minimum-cost bipartite assignment by the Hungarian method (Kuhn 1955, with the potentials and
 /// shortest augmenting paths of Jonker and Volgenant 1987). Keeps its buffers between calls.
@@ -31,5 +30,4 @@ private:
     std::vector<char> visited_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -7,8 +7,7 @@
 
 #include "engine/matching/node_clusters.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 SampledTree whole_tree(const PartQuery& part, const SkeletonDescriptor& whole) {
@@ -171,5 +170,4 @@ Match match_part(const PartQuery& part, const SkeletonDescriptor& whole) {
     return match;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

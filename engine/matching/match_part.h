@@ -9,8 +9,7 @@
 #include "engine/matching/part_edit.h"
 #include "engine/matching/sampled_tree.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Parameters of matching a part.
 struct PartMatchOptions {
@@ -65,5 +64,4 @@ private:
 /// is like a stretch.
 [[nodiscard]] Match match_part(const PartQuery& part, const SkeletonDescriptor& whole);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

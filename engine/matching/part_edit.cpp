@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 void PartEdit::sum_removals(const SampledTree& tree, float limit, Sides& sides) const {
     const std::size_t count = tree.nodes.size();
@@ -204,5 +203,4 @@ void PartEdit::exchanged(const SampledTree& part, const SampledTree& whole, cons
     }
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

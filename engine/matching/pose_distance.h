@@ -2,8 +2,7 @@
 
 #include "engine/matching/match_skeletons.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// How differently two skeletons stand, in [0, 1], as far as their parts belong together: of the
 /// nodes that match_skeletons matches, and of the middles of the limbs that end in them, the
@@ -21,5 +20,4 @@ inline namespace matching {
 [[nodiscard]] double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                                    const Correspondence& match);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

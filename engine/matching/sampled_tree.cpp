@@ -8,8 +8,7 @@
 #include "engine/matching/resample.h"
 #include "engine/matching/skeleton_paths.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 constexpr double kSmallestRadius = 1e-3;
@@ -199,5 +198,4 @@ SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOp
     return hanger.finish();
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -6,8 +6,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// A skeleton as trees of short pieces of equal length, so that a branch can be matched with part
 /// of another. A node stands for one piece and hangs from the piece before it on the way from the
@@ -46,5 +45,4 @@ struct SampleTreeOptions {
 [[nodiscard]] SampledTree sample_tree(const SkeletonDescriptor& descriptor,
                                       const SampleTreeOptions& options = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 void TreeEdit::sum_removals(const TreeShape& tree, std::span<const float> remove,
                             std::vector<float>& whole, std::vector<float>& below) const {
@@ -169,5 +168,4 @@ void TreeEdit::exchanged(const TreeEditProblem& problem, const Pair& roots,
     }
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

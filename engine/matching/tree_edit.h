@@ -8,8 +8,7 @@
 #include "engine/matching/assignment.h"
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Two trees with the costs of editing one into the other. Costs are finite and not negative;
 /// exchange(i, j) = exchange[i * b.size() + j] should not exceed remove_a[i] + remove_b[j].
@@ -65,5 +64,4 @@ private:
     Assignment assignment_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

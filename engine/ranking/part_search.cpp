@@ -5,38 +5,37 @@
 #include "engine/core/parallel.h"
 #include "engine/matching/match_part.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kBlock = 16;
 
-PartQuery part_query(const ModelDescriptor& part, const RankOptions& options) {
-    PartMatchOptions match;
+matching::PartQuery part_query(const descriptor::ModelDescriptor& part,
+                               const RankOptions& options) {
+    matching::PartMatchOptions match;
     match.costs.turn_weight = options.pose;
-    return PartQuery(part.skeleton, match);
+    return matching::PartQuery(part.skeleton, match);
 }
 
 }  // namespace
 
-std::vector<double> part_distances(const ModelDescriptor& part, DescriptorSpan collection,
-                                   const RankOptions& options) {
-    const PartQuery query = part_query(part, options);
+std::vector<double> part_distances(const descriptor::ModelDescriptor& part,
+                                   DescriptorSpan collection, const RankOptions& options) {
+    const matching::PartQuery query = part_query(part, options);
     std::vector<double> distances(collection.size());
     parallel_for((collection.size() + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
-        PartEdit workspace;
+        matching::PartEdit workspace;
         const std::size_t end = std::min(collection.size(), (block + 1) * kBlock);
         for (std::size_t i = block * kBlock; i < end; ++i) {
-            distances[i] = part_distance(query, collection[i]->skeleton, workspace);
+            distances[i] = matching::part_distance(query, collection[i]->skeleton, workspace);
         }
     });
     return distances;
 }
 
-Match explain_part(const ModelDescriptor& part, const ModelDescriptor& whole,
-                   const RankOptions& options) {
-    return match_part(part_query(part, options), whole.skeleton);
+matching::Match explain_part(const descriptor::ModelDescriptor& part,
+                             const descriptor::ModelDescriptor& whole, const RankOptions& options) {
+    return matching::match_part(part_query(part, options), whole.skeleton);
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

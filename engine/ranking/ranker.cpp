@@ -14,8 +14,7 @@
 #include "engine/ranking/part_search.h"
 #include "engine/ranking/rerank.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
@@ -30,8 +29,9 @@ std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalizat
 }
 
 /// The side of a query: known to the statistics, or to be judged by its own row.
-FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentValues>& row,
-                      const Normalization& normalization, const RankOptions& options) {
+FusionSide query_side(const descriptor::ModelDescriptor& query,
+                      const std::vector<ComponentValues>& row, const Normalization& normalization,
+                      const RankOptions& options) {
     if (const ModelScale* own = normalization.find(query)) {
         return fusion_side(query, *own, options);
     }
@@ -44,8 +44,8 @@ FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentV
     return fusion_side(query, scale_of_row(references, normalization.pooled()), options);
 }
 
-std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,
-                                  const Normalization& normalization,
+std::vector<double> row_distances(const descriptor::ModelDescriptor& query,
+                                  DescriptorSpan collection, const Normalization& normalization,
                                   const std::vector<FusionSide>& sides,
                                   const RankOptions& options) {
     std::vector<double> distances(collection.size());
@@ -77,9 +77,10 @@ double collection_distance(PairMeter& meter, DescriptorSpan collection,
 /// Models that the statistics do not know are judged by their own row as queries, so that their
 /// rows are not the mirror of their columns.
 bool all_known(DescriptorSpan collection, const Normalization& normalization) {
-    return std::all_of(collection.begin(), collection.end(), [&](const ModelDescriptor* model) {
-        return normalization.find(*model) != nullptr;
-    });
+    return std::all_of(collection.begin(), collection.end(),
+                       [&](const descriptor::ModelDescriptor* model) {
+                           return normalization.find(*model) != nullptr;
+                       });
 }
 
 /// The full matrix in double precision, each pair measured once.
@@ -99,9 +100,9 @@ std::vector<double> mirrored_matrix(DescriptorSpan collection, const std::vector
 }
 
 /// The tree edit distance's share of a fused distance, in the proportion of its own parts.
-std::vector<DistancePart> split(double share, const Match& match) {
-    std::vector<DistancePart> parts = match.parts;
-    for (DistancePart& part : parts) {
+std::vector<matching::DistancePart> split(double share, const matching::Match& match) {
+    std::vector<matching::DistancePart> parts = match.parts;
+    for (matching::DistancePart& part : parts) {
         part.value *= match.distance > 0.0 ? share / match.distance : 0.0;
     }
     return parts;
@@ -130,7 +131,8 @@ Result<RankerKind> parse_ranker(std::string_view name) {
             "ranker '" + std::string(name) + "'; expected hybrid, skeleton or chain-code"};
 }
 
-std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+std::vector<double> rank_distances(const descriptor::ModelDescriptor& query,
+                                   DescriptorSpan collection,
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options) {
     assert(!(options.part && options.rerank));
@@ -185,17 +187,20 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
     return matrix;
 }
 
-Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
-              const CollectionStatistics& statistics, const RankOptions& options) {
+matching::Match explain(const descriptor::ModelDescriptor& query,
+                        const descriptor::ModelDescriptor& other,
+                        const CollectionStatistics& statistics, const RankOptions& options) {
     if (options.part) return explain_part(query, other, options);
     PairMeter meter(options);
     if (options.ranker == RankerKind::kChainCode) {
-        return match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options());
+        return matching::match_chain_codes(query.skeleton, other.skeleton,
+                                           meter.chain_code_options());
     }
-    Match match = match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
+    matching::Match match =
+        matching::match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
     if (const double weight = meter.pose_weight(); weight > 0.0) {
         const double pose =
-            weight * pose_distance(query.skeleton, other.skeleton, match.correspondence);
+            weight * matching::pose_distance(query.skeleton, other.skeleton, match.correspondence);
         match.parts.push_back({"pose", pose});
         match.distance += pose;
     }
@@ -204,7 +209,7 @@ Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
     const FusionSide b = fusion_side(other, normalization.scale(other), options);
     const ComponentValues distances = meter.components(query, other);
     const ComponentValues parts = fused_parts(distances, a, b);
-    std::vector<DistancePart> named;
+    std::vector<matching::DistancePart> named;
     if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
     for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
         named.push_back({std::string(component_name(c)), parts[c]});
@@ -214,5 +219,4 @@ Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
     return match;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

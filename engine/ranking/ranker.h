@@ -9,8 +9,7 @@
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/matching/match.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 enum class RankerKind {
     kHybrid,     ///< skeleton fused with global descriptors; the default
@@ -46,7 +45,7 @@ struct DistanceMatrix {
     [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * size + j]; }
 };
 
-using DescriptorSpan = std::span<const ModelDescriptor* const>;
+using DescriptorSpan = std::span<const descriptor::ModelDescriptor* const>;
 
 /// The collection's own distance statistics: for each component and each model the mean
 /// and deviation of its distances to at most 500 models (fewer in collections above 2,000, so that
@@ -60,7 +59,8 @@ CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs =
 /// `rerank` in [0, 2]: the nearest 200 change places among themselves, the others follow.
 /// A query that the statistics do not know is judged by its distances to at most 500 models of the
 /// collection when that is at least half of what the statistics are of, else by the pooled scale.
-std::vector<double> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+std::vector<double> rank_distances(const descriptor::ModelDescriptor& query,
+                                   DescriptorSpan collection,
                                    const CollectionStatistics& statistics,
                                    const RankOptions& options = {});
 
@@ -74,8 +74,8 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
 /// pairs of points and of their layout; the correspondence is that of the tree edit distance.
 /// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
 /// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
-Match explain(const ModelDescriptor& query, const ModelDescriptor& other,
-              const CollectionStatistics& statistics, const RankOptions& options = {});
+matching::Match explain(const descriptor::ModelDescriptor& query,
+                        const descriptor::ModelDescriptor& other,
+                        const CollectionStatistics& statistics, const RankOptions& options = {});
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking
