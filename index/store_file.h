@@ -1,6 +1,9 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,5 +31,23 @@ std::string file_uri(const std::filesystem::path& path, std::string_view query);
 
 /// True when nothing waits in the write-ahead log, so that the file alone is the index.
 bool log_is_empty(const std::filesystem::path& path);
+
+/// Which file stands at a path, whatever its name.
+struct FileId {
+    dev_t device = 0;
+    ino_t inode = 0;
+    bool operator==(const FileId&) const = default;
+};
+/// None where there is no file. Errors: index_io when that cannot be told.
+Result<std::optional<FileId>> file_at(const std::filesystem::path& path);
+
+/// Whether a running program uses the log beside `path` for another file, one that stood here
+/// before. SQLite goes by names alone: whoever opens the new file would read that log into it. To
+/// be asked once this process has a connection to `path`; false where the system does not tell.
+bool log_serves_another_file(const std::filesystem::path& path);
+
+/// Whether a running program uses the log beside `path` at all; false where the system does not
+/// tell.
+bool log_is_in_use(const std::filesystem::path& path);
 
 }  // namespace ossuary::index

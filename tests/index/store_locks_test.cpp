@@ -86,8 +86,7 @@ TEST_P(StoreLocks, SurviveIndexingAFolderThatTheIndexLiesIn) {
     EXPECT_NE(store->failures()->front().message.find("is the index itself"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Access, StoreLocks,
-                         testing::Values(Access::kReadOnly, Access::kReadWrite),
+INSTANTIATE_TEST_SUITE_P(Access, StoreLocks, testing::Values(Access::kReadOnly, Access::kReadWrite),
                          [](const auto& each) {
                              return each.param == Access::kReadOnly ? "Reader" : "Writer";
                          });
