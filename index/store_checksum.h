@@ -20,8 +20,8 @@ struct ChecksummedTable {
 /// All of them, from version 4 of the schema on.
 [[nodiscard]] std::span<const ChecksummedTable> checksummed_tables();
 
-/// Gives the connection the SQL function `row_checksum(value, …)`: the XXH3-64 of the values, of each
-/// a byte for its type and then its bytes (docs/index-format.md).
+/// Gives the connection the SQL function `row_checksum(value, …)`: the XXH3-64 of the values, of
+/// each a byte for its type and then its bytes (docs/index-format.md).
 void add_checksum_function(SQLite::Database& database);
 
 /// "row_checksum(<columns>)" of a checksummed table.

@@ -71,7 +71,8 @@ Result<void> IndexFile::open(std::unique_ptr<Connection>& holder, Access access)
         holders_.push_back(&holder);
         return {};
     }
-    return {ErrorCode::kIndexReplaced, path_.string() + ": is replaced faster than it can be opened"};
+    return {ErrorCode::kIndexReplaced,
+            path_.string() + ": is replaced faster than it can be opened"};
 }
 
 void IndexFile::close(std::unique_ptr<Connection>& holder) {

@@ -42,7 +42,7 @@ public:
 private:
     const std::filesystem::path path_;
     std::shared_mutex gate_;
-    std::optional<FileId> file_;                          ///< none while nothing is open
+    std::optional<FileId> file_;  ///< none while nothing is open
     std::uint64_t replacements_ = 0;
     std::vector<std::unique_ptr<Connection>*> holders_;  ///< of the open connections
 };

@@ -71,8 +71,7 @@ Result<ClaimedUpload> read_claimed(Store::Impl& impl, UploadId id) {
     claimed.attempt = static_cast<int>(row.integer(1));
     claimed.model.name = row.text(2);
     claimed.model.class_name = row.text(3);
-    Query pieces(
-        impl.statement("SELECT bytes FROM upload_pieces WHERE upload = ? ORDER BY piece"));
+    Query pieces(impl.statement("SELECT bytes FROM upload_pieces WHERE upload = ? ORDER BY piece"));
     pieces.bind(id);
     while (pieces.step()) claimed.model.bytes += pieces.blob(0);
     return claimed;
@@ -95,8 +94,8 @@ Result<std::optional<UploadId>> Store::add_upload(const UploadedModel& upload,
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         const UploadQueue queue = read_queue(*impl_);
         const bool too_many = queue.waiting >= limits.waiting;
-        const bool too_large = queue.waiting > 0 && queue.waiting_bytes + upload.bytes.size() >
-                                                        limits.waiting_bytes;
+        const bool too_large =
+            queue.waiting > 0 && queue.waiting_bytes + upload.bytes.size() > limits.waiting_bytes;
         if (too_many || too_large) return std::optional<UploadId>();
         Query(impl_->statement("INSERT INTO uploads (name, class, content_hash, size, state, "
                                "accepted_at) VALUES (?, ?, ?, ?, 'queued', ?)"))
@@ -151,12 +150,13 @@ Result<void> Store::release_upload(const UploadClaim& claim) {
 
 Result<void> finish_upload(Store::Impl& impl, const UploadClaim& claim,
                            const UploadOutcome& outcome) {
-    Query finish(impl.statement("UPDATE uploads SET state = ?3, claimant = '', model = ?4, "
-                                "code = ?5, message = ?6, finished_at = ?7 "
-                                "WHERE id = ?1 AND state = 'running' AND claimant = ?2"));
+    Query finish(
+        impl.statement("UPDATE uploads SET state = ?3, claimant = '', model = ?4, "
+                       "code = ?5, message = ?6, finished_at = ?7 "
+                       "WHERE id = ?1 AND state = 'running' AND claimant = ?2"));
     if (outcome.error) {
-        finish.bind(claim.id, claim.claimant, std::string_view("failed"), nullptr, to_string(outcome.error->code),
-                    outcome.error->message, utc_now());
+        finish.bind(claim.id, claim.claimant, std::string_view("failed"), nullptr,
+                    to_string(outcome.error->code), outcome.error->message, utc_now());
     } else {
         finish.bind(claim.id, claim.claimant, std::string_view("done"), outcome.model, nullptr,
                     nullptr, utc_now());

@@ -38,8 +38,8 @@ struct Pieces {
 
 Pieces read_pieces(Store::Impl& impl, UploadId id) {
     Pieces pieces;
-    Query rows(impl.statement(
-        "SELECT piece, bytes FROM upload_pieces WHERE upload = ? ORDER BY piece"));
+    Query rows(
+        impl.statement("SELECT piece, bytes FROM upload_pieces WHERE upload = ? ORDER BY piece"));
     rows.bind(id);
     while (rows.step()) {
         ++pieces.count;

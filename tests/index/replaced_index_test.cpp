@@ -154,8 +154,8 @@ TEST_F(ReplacedIndex, TakesNothingThatWasComputedFromTheOldOne) {
     const auto state = snapshot->state();
     EXPECT_EQ(store->put_statistics({{9.0}}, state.models, state.replacements).error().code,
               ErrorCode::kIndexReplaced);
-    const EvaluationKey key{state.models,          ranking::RankerKind::kHybrid, false, 0.15,
-                            std::string(32, '0'), state.replacements};
+    const EvaluationKey key{state.models, ranking::RankerKind::kHybrid, false,
+                            0.15,         std::string(32, '0'),         state.replacements};
     EXPECT_EQ(store->put_evaluation(key, test::sample_report(1)).error().code,
               ErrorCode::kIndexReplaced);
     EXPECT_FALSE(*store->evaluation(key));

@@ -116,12 +116,11 @@ TEST_F(Jobs, EndWithTheirTime) {
 
 TEST_F(Jobs, AreLeftToTheNextServer) {
     std::atomic<int> begun = 0;
-    auto jobs = start(
-        [&](const auto&, const auto&, auto stop) -> Result<index::NewModel> {
-            ++begun;
-            while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
-            return {ErrorCode::kCancelled, "stopped"};
-        });
+    auto jobs = start([&](const auto&, const auto&, auto stop) -> Result<index::NewModel> {
+        ++begun;
+        while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
+        return {ErrorCode::kCancelled, "stopped"};
+    });
     const auto first = add(*jobs, "a");
     const auto second = add(*jobs, "b");
     while (begun == 0) std::this_thread::sleep_for(1ms);
