@@ -1,22 +1,32 @@
-import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { afterAll, afterEach, beforeAll, beforeEach, expect, it, vi } from 'vitest';
 
 import { OrbitSource } from '../../src/viewer/orbit_input';
-import { Picture } from '../../src/viewer/picture';
+import type { Picture } from '../../src/viewer/picture';
 import { eventually } from '../sample';
 
-const { render } = vi.hoisted(() => ({ render: vi.fn() }));
+const render = vi.fn();
+let PictureWithoutWebGl: typeof Picture;
 
-// There is no WebGL here.
-vi.mock('three', async (original) => ({
-    ...(await original<typeof import('three')>()),
-    WebGLRenderer: class {
-        render = render;
-        setPixelRatio(): void {}
-        setSize(): void {}
-        dispose(): void {}
-        forceContextLoss(): void {}
-    },
-}));
+// There is no WebGL here. The tests share their modules: this one has to have its own.
+beforeAll(async () => {
+    vi.resetModules();
+    vi.doMock('three', async (original) => ({
+        ...(await original<typeof import('three')>()),
+        WebGLRenderer: class {
+            render = render;
+            setPixelRatio(): void {}
+            setSize(): void {}
+            dispose(): void {}
+            forceContextLoss(): void {}
+        },
+    }));
+    ({ Picture: PictureWithoutWebGl } = await import('../../src/viewer/picture'));
+});
+
+afterAll(() => {
+    vi.doUnmock('three');
+    vi.resetModules();
+});
 
 let resize: () => void = () => {};
 let picture: Picture | null = null;
@@ -42,7 +52,7 @@ afterEach(() => {
 });
 
 function placed(orbit = new OrbitSource()): Picture {
-    const made = new Picture({ label: 'a pig', orbit, up: 'y', beforeDraw: () => {} });
+    const made = new PictureWithoutWebGl({ label: 'a pig', orbit, up: 'y', beforeDraw: () => {} });
     picture = made;
     return made;
 }
