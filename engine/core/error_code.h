@@ -54,6 +54,8 @@ enum class ErrorCode {
     kIndexParameters,
     kModelNotFound,
     kEvaluationNotFound,
+    kIndexReplaced,
+    kUploadAbandoned,
 };
 
 struct ErrorCodeName {
@@ -102,6 +104,8 @@ inline constexpr std::array kErrorCodeNames = {
     ErrorCodeName{ErrorCode::kIndexParameters, "index_parameters"},
     ErrorCodeName{ErrorCode::kModelNotFound, "model_not_found"},
     ErrorCodeName{ErrorCode::kEvaluationNotFound, "evaluation_not_found"},
+    ErrorCodeName{ErrorCode::kIndexReplaced, "index_replaced"},
+    ErrorCodeName{ErrorCode::kUploadAbandoned, "upload_abandoned"},
 };
 
 static_assert(
@@ -109,8 +113,7 @@ static_assert(
         for (std::size_t i = 0; i < kErrorCodeNames.size(); ++i) {
             if (static_cast<std::size_t>(kErrorCodeNames[i].code) != i) return false;
         }
-        return kErrorCodeNames.size() ==
-               static_cast<std::size_t>(ErrorCode::kEvaluationNotFound) + 1;
+        return kErrorCodeNames.size() == static_cast<std::size_t>(ErrorCode::kUploadAbandoned) + 1;
     }(),
     "every error code has its name, in the order of the enumeration");
 

@@ -399,21 +399,18 @@ TEST_F(IndexerTest, AddsToAnIndexThatAReaderHasOpen) {
     EXPECT_EQ(after->state().statistics, after->revision());
 }
 
-TEST_F(IndexerTest, TakesUploads) {
+TEST_F(IndexerTest, DescribesUploads) {
     test::write_sample_meshes(models_, 2);
-    Store store = open();
     const std::string bytes = test::read_file(models_ / "01_tree.off");
-    const auto id = index_one(store, {bytes, "my\ntree", "plant"});
-    ASSERT_TRUE(id) << id.error().message;
-    EXPECT_EQ(store.model(*id)->name, "mytree");
-    EXPECT_EQ(store.model(*id)->class_name, "plant");
-    EXPECT_EQ(*index_one(store, {bytes, "again", ""}), *id);
-    test::expect_sound(store);
-    const auto bad = index_one(store, {"OFF\n3 1 0\n", "bad", ""});
+    const auto model = describe_upload({bytes, "my\ntree", "plant"}, test::kCoarse);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->summary.name, "mytree");
+    EXPECT_EQ(model->summary.class_name, "plant");
+    EXPECT_EQ(model->summary.path, "");
+    EXPECT_TRUE(model->segments);
+    const auto bad = describe_upload({"OFF\n3 1 0\n", "bad", ""}, test::kCoarse);
     ASSERT_FALSE(bad);
     EXPECT_EQ(bad.error().code, ErrorCode::kOffTruncated);
-    EXPECT_TRUE(store.failures()->empty());
-    EXPECT_EQ(store.models()->total, 1U);
 }
 
 }  // namespace
