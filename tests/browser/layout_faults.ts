@@ -19,12 +19,13 @@ async function spaceLetters(page: Page, spacing: string): Promise<void> {
 /**
  * Whatever is wider than its place at the window's width: the page itself, and every box whose contents
  * stick out or are cut off without a sign. What may be wider: tables that scroll by themselves, lines
- * that end in an ellipsis, fields, and what is there for screen readers alone.
+ * that end in an ellipsis, fields, what is there for screen readers alone, and what has no letters.
  */
 async function tooWide(page: Page): Promise<string[]> {
     return page.evaluate(() => {
         const found: string[] = [];
-        const allowed = 'input, select, datalist, .table-scroll, .visually-hidden, .progress-bar';
+        const allowed =
+            'input, select, datalist, .table-scroll, .visually-hidden, .progress-bar, .joint-handle';
         for (const node of document.querySelectorAll('html, body, body *')) {
             const { display, textOverflow } = getComputedStyle(node);
             const over = node.scrollWidth - node.clientWidth;
@@ -40,7 +41,7 @@ async function tooWide(page: Page): Promise<string[]> {
                 found.push(`${name} is ${over} px too narrow for what is in it`);
             }
         }
-        return found;
+        return [...new Set(found)];
     });
 }
 
