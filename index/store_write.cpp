@@ -256,7 +256,7 @@ Result<ModelId> Writer::operator()(const ForgetFailure& change) {
 }
 
 Result<ModelId> Writer::operator()(const PutUpload& change) {
-    const auto id = put(change.model);
+    auto id = put(change.model);
     if (!id) return id;
     const auto finished = finish_upload(impl_, change.upload, {.model = *id, .error = {}});
     if (!finished) return finished.error();
