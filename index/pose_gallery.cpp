@@ -50,7 +50,7 @@ std::vector<std::size_t> nearest_members(DescriptorSpan members,
     options.ranker = RankerKind::kSkeleton;
     options.pose = pose;
     options.jobs = jobs;
-    const DistanceMatrix distances = distance_matrix(members, statistics, options);
+    const DistanceMatrix distances = *distance_matrix(members, statistics, options);  // no stop
     std::vector<std::size_t> nearest;
     for (std::size_t i = 0; i < members.size(); ++i) {
         std::size_t best = i == 0 ? 1 : 0;

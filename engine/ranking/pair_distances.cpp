@@ -15,7 +15,7 @@ std::string_view component_name(std::size_t component) {
 }
 
 double PairMeter::pose_weight() const {
-    constexpr double kNone = RankOptions{}.pose;
+    constexpr double kNone = kDefaultPose;
     constexpr double kFull = 2.0;
     return kFull * std::max(0.0, skeleton_options_.pose - kNone) / (1.0 - kNone);
 }
@@ -25,8 +25,9 @@ double PairMeter::skeleton(const ModelDescriptor& a, const ModelDescriptor& b) {
     if (weight <= 0.0) {
         return skeleton_distance(a.skeleton, b.skeleton, skeleton_options_, skeleton_workspace_);
     }
-    const Match match = match_skeletons(a.skeleton, b.skeleton, skeleton_options_);
-    return match.distance + weight * pose_distance(a.skeleton, b.skeleton, match.correspondence);
+    const Match match = match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
+    return match.distance +
+           weight * pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
 }
 
 ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {

@@ -19,12 +19,12 @@ void time_ranking(benchmark::State& state, RankerKind ranker) {
     for (std::size_t i = 0; i < kCollectionSize; ++i) {
         collection.push_back(&descriptors[i % descriptors.size()]);
     }
-    const CollectionStatistics statistics = collection_statistics(collection);
+    const CollectionStatistics statistics = *collection_statistics(collection);
     RankOptions options;
     options.ranker = ranker;
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            rank_distances(descriptors.front(), collection, statistics, options));
+            *rank_distances(descriptors.front(), collection, statistics, options));
     }
 }
 

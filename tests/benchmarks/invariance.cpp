@@ -108,7 +108,7 @@ void run(const std::filesystem::path& collection, const RankOptions& options, in
     });
     std::vector<const ModelDescriptor*> pointers;
     for (const ModelDescriptor& original : originals) pointers.push_back(&original);
-    const auto statistics = collection_statistics(pointers, options.jobs);
+    const auto statistics = *collection_statistics(pointers, options.jobs);
     RankOptions one_thread = options;
     one_thread.jobs = 1;
     const std::size_t copies = kCopies * static_cast<std::size_t>(rounds);
@@ -122,7 +122,7 @@ void run(const std::filesystem::path& collection, const RankOptions& options, in
             TriangleMesh mesh = read(collection / "off", models[original].id);
             change.apply(mesh, random);
             before[copy] = models_before(
-                rank_distances(describe_mesh(mesh), pointers, statistics, one_thread), original);
+                *rank_distances(describe_mesh(mesh), pointers, statistics, one_thread), original);
         });
         const auto first = std::count(before.begin(), before.end(), std::size_t{0});
         std::cout << fmt::format("{:<10} {:>4} of {} first\n", change.name, first, copies)

@@ -149,9 +149,9 @@ void run(const fs::path& collection, const fs::path& index_path) {
         if (segmentations.empty()) continue;
         for (const TriangleMesh& limb : limbs_of(mesh, segmentations.front())) {
             const ModelDescriptor query = unwrap(describe(limb)).descriptor;
-            const auto as_part = part_distances(query, snapshot->descriptors(), {});
+            const auto as_part = *part_distances(query, snapshot->descriptors(), {});
             const auto as_whole =
-                rank_distances(query, snapshot->descriptors(), snapshot->statistics());
+                *rank_distances(query, snapshot->descriptors(), snapshot->statistics());
             for (Outcome* outcome : {&outcomes[labels[i]], &all}) {
                 ++outcome->queries;
                 outcome->as_part += found_in_first(as_part, labels, i);

@@ -177,7 +177,7 @@ void run(const fs::path& collection, const std::vector<std::string>& names) {
     });
     std::vector<const ModelDescriptor*> pointers;
     for (const ModelDescriptor& model : described) pointers.push_back(&model);
-    const CollectionStatistics statistics = collection_statistics(pointers, kJobs);
+    const CollectionStatistics statistics = *collection_statistics(pointers, kJobs);
     std::vector<Class> groups;
     for (const std::string& name : names) {
         Class& group = groups.emplace_back();
@@ -207,7 +207,7 @@ void run(const fs::path& collection, const std::vector<std::string>& names) {
             options.ranker = RankerKind::kSkeleton;
             options.pose = pose;
             options.jobs = kJobs;
-            print_weight(local, distance_matrix(members, statistics, options), pose);
+            print_weight(local, *distance_matrix(members, statistics, options), pose);
         }
     }
 }

@@ -92,7 +92,7 @@ const Collection& collection_of(std::size_t size) {
     }
     for (const ModelDescriptor& model : collection.models) collection.pointers.push_back(&model);
     collection.preselection = Preselection(collection.pointers);
-    collection.statistics = collection_statistics(collection.pointers);
+    collection.statistics = *collection_statistics(collection.pointers);
     return collection;
 }
 
@@ -100,11 +100,11 @@ const Collection& collection_of(std::size_t size) {
 double recall(const Collection& collection) {
     std::size_t found = 0, wanted = 0;
     for (const ModelDescriptor& query : collection.queries) {
-        const auto quick = nearest_models(query, collection.pointers, collection.preselection,
+        const auto quick = *nearest_models(query, collection.pointers, collection.preselection,
                                           collection.statistics, {});
         NearestOptions exhaustive;
         exhaustive.exhaustive_below = collection.models.size();
-        const auto exact = nearest_models(query, collection.pointers, collection.preselection,
+        const auto exact = *nearest_models(query, collection.pointers, collection.preselection,
                                           collection.statistics, {}, exhaustive);
         for (const RankedModel& model : exact) {
             ++wanted;
@@ -120,7 +120,7 @@ void time_search(benchmark::State& state, std::size_t size) {
     const Collection& collection = collection_of(size);
     std::size_t query = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(nearest_models(collection.queries[query++ % kQueries],
+        benchmark::DoNotOptimize(*nearest_models(collection.queries[query++ % kQueries],
                                                 collection.pointers, collection.preselection,
                                                 collection.statistics, {}));
     }

@@ -120,7 +120,7 @@ void print_curves(const TenClasses& classes, ThinningMethod thinning) {
     std::vector<RetrievalReport> reports;
     for (std::size_t v = 0; v < described.size(); ++v) {
         const DistanceMatrix distances =
-            distance_matrix(pointers(described[v]), {}, rank_options(RankerKind::kChainCode));
+            *distance_matrix(pointers(described[v]), {}, rank_options(RankerKind::kChainCode));
         reports.push_back(evaluate_retrieval(distances, classes.labels));
         const RetrievalMetrics& mean = reports.back().mean;
         std::cout << fmt::format("{:<24} NN {:.3f} first tier {:.3f} DCG {:.3f} MAP {:.3f}\n",
@@ -179,10 +179,10 @@ void print_poses(const TenClasses& classes) {
     parallel_for(models.size(), kJobs,
                  [&](std::size_t i) { models[i] = unwrap(describe(classes.mesh(i))).descriptor; });
     const auto collection = pointers(models);
-    const CollectionStatistics statistics = collection_statistics(collection, kJobs);
+    const CollectionStatistics statistics = *collection_statistics(collection, kJobs);
     for (const RankerKind ranker : {RankerKind::kChainCode, RankerKind::kSkeleton}) {
         const DistanceMatrix distances =
-            distance_matrix(collection, statistics, rank_options(ranker));
+            *distance_matrix(collection, statistics, rank_options(ranker));
         std::vector<double> within, other;
         for (std::size_t i = 0; i < models.size(); ++i) {
             if (classes.labels[i] != "armadillo") continue;

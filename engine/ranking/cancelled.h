@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/core/result.h"
+
+namespace ossuary {
+inline namespace ranking {
+
+/// What every function of the ranker answers once it was asked to stop.
+inline Error cancelled() { return {ErrorCode::kCancelled, "ranking was given up"}; }
+
+}  // namespace ranking
+}  // namespace ossuary
