@@ -306,7 +306,7 @@ Result<IndexOutcome> IndexRun::run() {
         if (const auto pruned = prune(); !pruned) return pruned.error();
     }
     sink_.phase("computing the collection's statistics");
-    if (const auto updated = update_statistics(store_, options_.jobs); !updated) {
+    if (const auto updated = update_statistics(store_, options_.jobs, stop_); !updated) {
         return updated.error();
     }
     const auto revision = store_.revision();
@@ -340,24 +340,24 @@ Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_t
     }
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;
-    auto id = store.put(*std::move(model));
-    if (!id) return id.error();
-    const auto state = store.collection_state();
-    if (!state) return state.error();
-    if (state->statistics < 0) {
-        if (const auto updated = update_statistics(store); !updated) return updated.error();
-    }
-    return id;
+    return store.put(*std::move(model));
 }
 
-Result<void> update_statistics(Store& store, int jobs) {
+Result<void> update_statistics(Store& store, int jobs, const std::stop_token& stop) {
     const auto state = store.collection_state();
     if (!state) return state.error();
     if (state->statistics == state->models) return {};
     const auto snapshot = Snapshot::load(store);
     if (!snapshot) return snapshot.error();
-    return store.put_statistics(collection_statistics((*snapshot)->descriptors(), jobs),
-                                (*snapshot)->revision());
+    return update_statistics(store, **snapshot, jobs, stop);
+}
+
+Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs,
+                               const std::stop_token& stop) {
+    if (snapshot.state().statistics == snapshot.revision()) return {};
+    const auto statistics = collection_statistics(snapshot.descriptors(), jobs, stop);
+    if (!statistics) return statistics.error();
+    return store.put_statistics(*statistics, snapshot.revision());
 }
 
 }  // namespace ossuary::index

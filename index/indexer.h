@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/ranking/classification.h"
 #include "index/model.h"
+#include "index/snapshot.h"
 #include "index/store.h"
 
 namespace ossuary::index {
@@ -80,12 +81,17 @@ struct UploadedModel {
     std::string class_name;
 };
 
-/// Adds one model; the same bytes uploaded again give the same id. Statistics are made if there are
-/// none; rankers judge a model that they do not know by its own distances.
+/// Adds one model; the same bytes uploaded again give the same id. Statistics stay as they are:
+/// rankers judge a model that they do not know by its own distances.
 /// Errors: those of read_mesh and describe (nothing is recorded), cancelled, those of the store.
 Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
 
 /// Recomputes the collection's statistics if they are not those of the current revision.
-Result<void> update_statistics(Store& store, int jobs = 1);
+/// Errors: cancelled, those of the store.
+Result<void> update_statistics(Store& store, int jobs = 1, const std::stop_token& stop = {});
+
+/// The same for a snapshot of the store that is in memory already.
+Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs = 1,
+                               const std::stop_token& stop = {});
 
 }  // namespace ossuary::index

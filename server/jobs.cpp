@@ -16,11 +16,13 @@ std::string_view to_string(JobState state) {
     return "failed";
 }
 
-Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics)
+Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
+           std::function<void(bool removed)> changed)
     : store_(std::move(store)),
       limits_(limits),
       log_(log),
       metrics_(metrics),
+      changed_(std::move(changed)),
       thread_([this](std::stop_token stop) { work(stop); }) {}
 
 Jobs::~Jobs() = default;
@@ -49,7 +51,8 @@ std::optional<Job> Jobs::find(JobId id) const {
 
 Result<void> Jobs::remove(index::ModelId id) {
     if (auto removed = store_.remove(id); !removed) return removed;
-    return index::update_statistics(store_);
+    changed_(true);
+    return {};
 }
 
 void Jobs::work(std::stop_token stop) {
@@ -63,6 +66,7 @@ void Jobs::work(std::stop_token stop) {
         jobs_[id].state = JobState::kRunning;
         lock.unlock();
         const auto model = index::index_one(store_, upload, stop);
+        if (model) changed_(false);
         lock.lock();
 
         Job& job = jobs_[id];

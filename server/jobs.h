@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -42,7 +43,9 @@ public:
         std::size_t waiting_bytes = 256 << 20;
         std::size_t remembered = 1000;  ///< finished jobs, the oldest are forgotten first
     };
-    Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics);
+    /// @param changed  called after each change, with true where a model was removed
+    Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
+         std::function<void(bool removed)> changed);
     ~Jobs();
 
     /// None when too many wait.
@@ -58,6 +61,7 @@ private:
     const Limits limits_;
     Log& log_;
     Metrics& metrics_;
+    const std::function<void(bool removed)> changed_;
     mutable std::mutex mutex_;
     std::condition_variable_any added_;
     std::deque<std::pair<JobId, index::UploadedModel>> waiting_;
