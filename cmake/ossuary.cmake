@@ -7,6 +7,10 @@ set(OSSUARY_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-restrict)
 endif()
+if(OSSUARY_UNITY)
+    # Compiled together, a file's own types look as if they came from a header.
+    list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-subobject-linkage)
+endif()
 if(OSSUARY_WERROR)
     list(APPEND OSSUARY_COMPILE_OPTIONS -Werror)
 endif()

@@ -52,4 +52,8 @@ std::uint8_t blob_version(std::string_view blob) {
     return static_cast<std::uint8_t>(blob[4]);
 }
 
+Error corrupt_blob(const BlobKind& kind, std::string_view what) {
+    return {ErrorCode::kIndexCorrupt, std::string(kind.mark) + " blob: " + std::string(what)};
+}
+
 }  // namespace ossuary::index

@@ -40,4 +40,7 @@ Result<std::string_view> open_blob(const BlobKind& kind, std::string_view blob);
 /// @pre open_blob has accepted it
 [[nodiscard]] std::uint8_t blob_version(std::string_view blob);
 
+/// index_corrupt, with the blob's mark and what is wrong with it.
+[[nodiscard]] Error corrupt_blob(const BlobKind& kind, std::string_view what);
+
 }  // namespace ossuary::index

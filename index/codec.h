@@ -19,16 +19,16 @@ namespace ossuary::index {
 // than a small multiple of it, and refuses with index_corrupt whatever would break a precondition
 // further on: indices out of range, numbers that are not finite, bytes left over.
 
-[[nodiscard]] std::string encode_skeleton(const SkeletonGraph& graph);
-Result<SkeletonGraph> decode_skeleton(std::string_view blob);
+[[nodiscard]] std::string encode_skeleton(const skeleton::SkeletonGraph& graph);
+Result<skeleton::SkeletonGraph> decode_skeleton(std::string_view blob);
 
 /// Nodes and branches only; what is derived from them is not stored.
-[[nodiscard]] std::string encode_descriptor(const SkeletonDescriptor& descriptor);
+[[nodiscard]] std::string encode_descriptor(const matching::SkeletonDescriptor& descriptor);
 /// Without derived data: call derive_matching_data before matching.
-Result<SkeletonDescriptor> decode_descriptor(std::string_view blob);
+Result<matching::SkeletonDescriptor> decode_descriptor(std::string_view blob);
 
-[[nodiscard]] std::string encode_globals(const std::vector<GlobalDescriptor>& globals);
-Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob);
+[[nodiscard]] std::string encode_globals(const std::vector<descriptor::GlobalDescriptor>& globals);
+Result<std::vector<descriptor::GlobalDescriptor>> decode_globals(std::string_view blob);
 
 [[nodiscard]] std::string encode_signature(const std::vector<float>& signature);
 Result<std::vector<float>> decode_signature(std::string_view blob);
@@ -42,14 +42,14 @@ Result<ModelSegments> decode_segments(std::string_view blob);
 [[nodiscard]] std::string encode_thumbnail(const std::vector<std::uint8_t>& png);
 Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob);
 
-[[nodiscard]] std::string encode_statistics(const CollectionStatistics& statistics);
-Result<CollectionStatistics> decode_statistics(std::string_view blob);
+[[nodiscard]] std::string encode_statistics(const ranking::CollectionStatistics& statistics);
+Result<ranking::CollectionStatistics> decode_statistics(std::string_view blob);
 
-[[nodiscard]] std::string encode_report(const RetrievalReport& report);
-Result<RetrievalReport> decode_report(std::string_view blob);
+[[nodiscard]] std::string encode_report(const ranking::RetrievalReport& report);
+Result<ranking::RetrievalReport> decode_report(std::string_view blob);
 
 /// Warnings as JSON text: [{"code": …, "count": …, "message": …}].
-[[nodiscard]] std::string encode_warnings(const std::vector<MeshWarning>& warnings);
-Result<std::vector<MeshWarning>> decode_warnings(std::string_view text);
+[[nodiscard]] std::string encode_warnings(const std::vector<mesh::MeshWarning>& warnings);
+Result<std::vector<mesh::MeshWarning>> decode_warnings(std::string_view text);
 
 }  // namespace ossuary::index

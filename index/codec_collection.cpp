@@ -12,7 +12,7 @@ namespace ossuary::index {
 
 namespace {
 
-void put_metrics(ByteWriter& writer, const RetrievalMetrics& metrics) {
+void put_metrics(ByteWriter& writer, const ranking::RetrievalMetrics& metrics) {
     writer.put(metrics.nearest_neighbor);
     writer.put(metrics.first_tier);
     writer.put(metrics.second_tier);
@@ -21,8 +21,8 @@ void put_metrics(ByteWriter& writer, const RetrievalMetrics& metrics) {
     writer.put(metrics.mean_average_precision);
 }
 
-RetrievalMetrics get_metrics(ByteReader& reader) {
-    RetrievalMetrics metrics;
+ranking::RetrievalMetrics get_metrics(ByteReader& reader) {
+    ranking::RetrievalMetrics metrics;
     metrics.nearest_neighbor = reader.get<double>();
     metrics.first_tier = reader.get<double>();
     metrics.second_tier = reader.get<double>();
@@ -36,18 +36,18 @@ constexpr std::size_t kMetricsSize = 6 * sizeof(double);
 
 }  // namespace
 
-std::string encode_statistics(const CollectionStatistics& statistics) {
+std::string encode_statistics(const ranking::CollectionStatistics& statistics) {
     ByteWriter writer;
     writer.put(static_cast<std::uint32_t>(statistics.values.size()));
     writer.put_all<double>(statistics.values);
     return seal_blob(kStatisticsBlob, writer.bytes());
 }
 
-Result<CollectionStatistics> decode_statistics(std::string_view blob) {
+Result<ranking::CollectionStatistics> decode_statistics(std::string_view blob) {
     const auto payload = open_blob(kStatisticsBlob, blob);
     if (!payload) return payload.error();
     ByteReader reader(*payload);
-    CollectionStatistics statistics;
+    ranking::CollectionStatistics statistics;
     statistics.values = reader.get_all<double>(reader.get_count(8));
     if (!reader.ok() || !reader.at_end()) {
         return {ErrorCode::kIndexCorrupt, "STAT blob: wrong length"};
@@ -59,46 +59,46 @@ Result<CollectionStatistics> decode_statistics(std::string_view blob) {
     return statistics;
 }
 
-std::string encode_report(const RetrievalReport& report) {
+std::string encode_report(const ranking::RetrievalReport& report) {
     ByteWriter writer;
     writer.put(static_cast<std::uint64_t>(report.models));
     put_metrics(writer, report.mean);
     put_metrics(writer, report.macro_mean);
     writer.put(static_cast<std::uint32_t>(report.precision_recall.size()));
-    for (const PrecisionRecallPoint& point : report.precision_recall) {
+    for (const ranking::PrecisionRecallPoint& point : report.precision_recall) {
         writer.put(point.recall);
         writer.put(point.precision);
     }
     writer.put(static_cast<std::uint32_t>(report.per_class.size()));
-    for (const ClassMetrics& one : report.per_class) {
+    for (const ranking::ClassMetrics& one : report.per_class) {
         writer.put_text(one.name);
         writer.put(static_cast<std::uint64_t>(one.models));
         put_metrics(writer, one.metrics);
     }
     writer.put_all<double>(report.confusion);
     writer.put(static_cast<std::uint32_t>(report.per_query.size()));
-    for (const QueryMetrics& query : report.per_query) {
+    for (const ranking::QueryMetrics& query : report.per_query) {
         writer.put(static_cast<std::uint64_t>(query.model));
         put_metrics(writer, query.metrics);
     }
     return seal_blob(kEvaluationBlob, writer.bytes());
 }
 
-Result<RetrievalReport> decode_report(std::string_view blob) {
+Result<ranking::RetrievalReport> decode_report(std::string_view blob) {
     const auto payload = open_blob(kEvaluationBlob, blob);
     if (!payload) return payload.error();
     ByteReader reader(*payload);
-    RetrievalReport report;
+    ranking::RetrievalReport report;
     report.models = reader.get<std::uint64_t>();
     report.mean = get_metrics(reader);
     report.macro_mean = get_metrics(reader);
     report.precision_recall.resize(reader.get_count(16));
-    for (PrecisionRecallPoint& point : report.precision_recall) {
+    for (ranking::PrecisionRecallPoint& point : report.precision_recall) {
         point.recall = reader.get<double>();
         point.precision = reader.get<double>();
     }
     report.per_class.resize(reader.get_count(12 + kMetricsSize));
-    for (ClassMetrics& one : report.per_class) {
+    for (ranking::ClassMetrics& one : report.per_class) {
         one.name = reader.get_text();
         one.models = reader.get<std::uint64_t>();
         one.metrics = get_metrics(reader);
@@ -106,7 +106,7 @@ Result<RetrievalReport> decode_report(std::string_view blob) {
     report.classes = report.per_class.size();
     report.confusion = reader.get_all<double>(report.classes * report.classes);
     report.per_query.resize(reader.get_count(8 + kMetricsSize));
-    for (QueryMetrics& query : report.per_query) {
+    for (ranking::QueryMetrics& query : report.per_query) {
         query.model = reader.get<std::uint64_t>();
         query.metrics = get_metrics(reader);
     }
@@ -116,9 +116,9 @@ Result<RetrievalReport> decode_report(std::string_view blob) {
     return report;
 }
 
-std::string encode_warnings(const std::vector<MeshWarning>& warnings) {
+std::string encode_warnings(const std::vector<mesh::MeshWarning>& warnings) {
     nlohmann::json list = nlohmann::json::array();
-    for (const MeshWarning& warning : warnings) {
+    for (const mesh::MeshWarning& warning : warnings) {
         list.push_back(
             {{"code", warning.code}, {"count", warning.count}, {"message", warning.message}});
     }
@@ -126,11 +126,11 @@ std::string encode_warnings(const std::vector<MeshWarning>& warnings) {
     return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-Result<std::vector<MeshWarning>> decode_warnings(std::string_view text) {
+Result<std::vector<mesh::MeshWarning>> decode_warnings(std::string_view text) {
     const Error corrupt{ErrorCode::kIndexCorrupt, "warnings: not a list of {code, count, message}"};
     const auto list = nlohmann::json::parse(text, nullptr, false);
     if (!list.is_array()) return corrupt;
-    std::vector<MeshWarning> warnings;
+    std::vector<mesh::MeshWarning> warnings;
     for (const auto& item : list) {
         if (!item.is_object() || !item.contains("code") || !item["code"].is_string() ||
             !item.contains("count") || !item["count"].is_number_unsigned() ||

@@ -14,20 +14,15 @@ namespace ossuary::index {
 
 namespace {
 
-using Branch = SkeletonDescriptor::Branch;
+using Branch = matching::SkeletonDescriptor::Branch;
 
 /// How a branch is written: small numbers and rounded samples take 16 bits each. Rounded samples
 /// take 1.4 kB of the 10 kB that a model of the shape benchmark has on disk.
 enum Layout : std::uint8_t { kWide = 1, kRounded = 2, kAllLayouts = 3 };
 
 constexpr std::size_t kDigitsOfByte = 3;
-constexpr unsigned kDigits = 5;
+constexpr unsigned kDirectionDigits = 5;
 constexpr std::size_t kSmallestBranch = 13;
-
-Error corrupt(std::string_view what) {
-    return {ErrorCode::kIndexCorrupt,
-            std::string(kDescriptorBlob.mark) + " blob: " + std::string(what)};
-}
 
 /// Whether all values are whole multiples of a unit that fit into a T, so that get_multiples gives
 /// them back bit by bit.
@@ -65,8 +60,8 @@ std::uint8_t layout_of(const Branch& branch) {
                   branch.radii.size()}) > kNarrow) {
         layout |= kWide;
     }
-    if (are_multiples<std::int16_t>(branch.points, kPointUnit) &&
-        are_multiples<std::uint16_t>(branch.radii, kRadiusUnit)) {
+    if (are_multiples<std::int16_t>(branch.points, matching::kPointUnit) &&
+        are_multiples<std::uint16_t>(branch.radii, matching::kRadiusUnit)) {
         layout |= kRounded;
     }
     return layout;
@@ -90,7 +85,7 @@ void put_digits(ByteWriter& writer, std::string_view digits) {
         unsigned byte = 0;
         for (std::size_t i = at; i < at + kDigitsOfByte; ++i) {
             const char digit = i < digits.size() ? digits[i] : '0';
-            byte = kDigits * byte + static_cast<unsigned>(digit - '0');
+            byte = kDirectionDigits * byte + static_cast<unsigned>(digit - '0');
         }
         writer.put(static_cast<std::uint8_t>(byte));
     }
@@ -101,9 +96,9 @@ bool get_digits(ByteReader& reader, std::size_t count, std::string& digits) {
     const std::string_view packed = reader.get_raw((count + kDigitsOfByte - 1) / kDigitsOfByte);
     for (const char c : packed) {
         const auto byte = static_cast<unsigned>(static_cast<unsigned char>(c));
-        if (byte >= kDigits * kDigits * kDigits) return false;
-        for (const unsigned unit : {kDigits * kDigits, kDigits, 1U}) {
-            digits += static_cast<char>('0' + byte / unit % kDigits);
+        if (byte >= kDirectionDigits * kDirectionDigits * kDirectionDigits) return false;
+        for (const unsigned unit : {kDirectionDigits * kDirectionDigits, kDirectionDigits, 1U}) {
+            digits += static_cast<char>('0' + byte / unit % kDirectionDigits);
         }
     }
     if (digits.size() < count) return reader.ok();
@@ -122,8 +117,8 @@ void put_branch(ByteWriter& writer, const Branch& branch) {
     put_digits(writer, branch.chain_code);
     put_number(writer, layout, branch.radii.size());
     if ((layout & kRounded) != 0) {
-        put_multiples<std::int16_t>(writer, branch.points, kPointUnit);
-        put_multiples<std::uint16_t>(writer, branch.radii, kRadiusUnit);
+        put_multiples<std::int16_t>(writer, branch.points, matching::kPointUnit);
+        put_multiples<std::uint16_t>(writer, branch.radii, matching::kRadiusUnit);
     } else {
         writer.put_all<float>(branch.points);
         writer.put_all<float>(branch.radii);
@@ -132,8 +127,8 @@ void put_branch(ByteWriter& writer, const Branch& branch) {
 
 void get_samples(ByteReader& reader, std::uint8_t layout, std::size_t count, Branch& branch) {
     if ((layout & kRounded) != 0) {
-        branch.points = get_multiples<std::int16_t>(reader, 3 * count, kPointUnit);
-        branch.radii = get_multiples<std::uint16_t>(reader, count, kRadiusUnit);
+        branch.points = get_multiples<std::int16_t>(reader, 3 * count, matching::kPointUnit);
+        branch.radii = get_multiples<std::uint16_t>(reader, count, matching::kRadiusUnit);
     } else {
         branch.points = reader.get_all<float>(3 * count);
         branch.radii = reader.get_all<float>(count);
@@ -141,7 +136,7 @@ void get_samples(ByteReader& reader, std::uint8_t layout, std::size_t count, Bra
 }
 
 /// Versions 1 and 2: everything in full.
-Result<void> get_full_branch(ByteReader& reader, const SkeletonDescriptor& descriptor,
+Result<void> get_full_branch(ByteReader& reader, const matching::SkeletonDescriptor& descriptor,
                              Branch& branch) {
     branch.a = reader.get<std::uint32_t>();
     branch.b = reader.get<std::uint32_t>();
@@ -150,34 +145,35 @@ Result<void> get_full_branch(ByteReader& reader, const SkeletonDescriptor& descr
     const std::uint32_t samples = reader.get_count(16);
     branch.points = reader.get_all<float>(std::size_t{3} * samples);
     branch.radii = reader.get_all<float>(samples);
-    if (!reader.ok()) return corrupt("wrong length");
-    if (samples < 2) return corrupt("a branch of fewer than two points");
+    if (!reader.ok()) return corrupt_blob(kDescriptorBlob, "wrong length");
+    if (samples < 2) return corrupt_blob(kDescriptorBlob, "a branch of fewer than two points");
     if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
-        return corrupt("a branch ends at a node that is not there");
+        return corrupt_blob(kDescriptorBlob, "a branch ends at a node that is not there");
     }
     if (branch.chain_code.find_first_not_of("01234") != std::string::npos) {
-        return corrupt("a chain code with other digits than 0 to 4");
+        return corrupt_blob(kDescriptorBlob, "a chain code with other digits than 0 to 4");
     }
     return {};
 }
 
-Result<void> get_branch(ByteReader& reader, const SkeletonDescriptor& descriptor, Branch& branch) {
+Result<void> get_branch(ByteReader& reader, const matching::SkeletonDescriptor& descriptor,
+                        Branch& branch) {
     const auto layout = reader.get<std::uint8_t>();
     branch.a = get_number(reader, layout);
     branch.b = get_number(reader, layout);
     branch.length = reader.get<float>();
     if (!get_digits(reader, get_number(reader, layout), branch.chain_code)) {
-        return corrupt("a chain code with other digits than 0 to 4");
+        return corrupt_blob(kDescriptorBlob, "a chain code with other digits than 0 to 4");
     }
     const std::uint32_t samples = get_number(reader, layout);
-    if (!reader.ok()) return corrupt("wrong length");
-    if (layout > kAllLayouts) return corrupt("a branch of unknown layout");
-    if (samples < 2) return corrupt("a branch of fewer than two points");
+    if (!reader.ok()) return corrupt_blob(kDescriptorBlob, "wrong length");
+    if (layout > kAllLayouts) return corrupt_blob(kDescriptorBlob, "a branch of unknown layout");
+    if (samples < 2) return corrupt_blob(kDescriptorBlob, "a branch of fewer than two points");
     if (std::max(branch.a, branch.b) >= descriptor.nodes.size()) {
-        return corrupt("a branch ends at a node that is not there");
+        return corrupt_blob(kDescriptorBlob, "a branch ends at a node that is not there");
     }
     get_samples(reader, layout, samples, branch);
-    if (!reader.ok()) return corrupt("wrong length");
+    if (!reader.ok()) return corrupt_blob(kDescriptorBlob, "wrong length");
     return {};
 }
 
@@ -189,12 +185,12 @@ bool all_finite(const T& values) {
 
 }  // namespace
 
-std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
+std::string encode_descriptor(const matching::SkeletonDescriptor& descriptor) {
     ByteWriter writer;
     writer.put(descriptor.solid_volume);
     writer.put(descriptor.limb_volume);
     writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
-    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+    for (const matching::SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (const float coordinate : node.position) writer.put(coordinate);
         writer.put(node.radius);
         writer.put(node.significance);
@@ -204,17 +200,17 @@ std::string encode_descriptor(const SkeletonDescriptor& descriptor) {
     return seal_blob(kDescriptorBlob, writer.bytes());
 }
 
-Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
+Result<matching::SkeletonDescriptor> decode_descriptor(std::string_view blob) {
     const auto payload = open_blob(kDescriptorBlob, blob);
     if (!payload) return payload.error();
     const std::uint8_t version = blob_version(blob);
     ByteReader reader(*payload);
-    SkeletonDescriptor descriptor;
+    matching::SkeletonDescriptor descriptor;
     if (version >= 2) descriptor.solid_volume = reader.get<float>();
     if (version >= 3) descriptor.limb_volume = reader.get<float>();
     descriptor.nodes.resize(reader.get_count(20));
     bool finite = std::isfinite(descriptor.solid_volume) && std::isfinite(descriptor.limb_volume);
-    for (SkeletonDescriptor::Node& node : descriptor.nodes) {
+    for (matching::SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (float& coordinate : node.position) coordinate = reader.get<float>();
         node.radius = reader.get<float>();
         node.significance = reader.get<float>();
@@ -229,8 +225,8 @@ Result<SkeletonDescriptor> decode_descriptor(std::string_view blob) {
         finite = finite && std::isfinite(branch.length) && all_finite(branch.points) &&
                  all_finite(branch.radii);
     }
-    if (!reader.ok() || !reader.at_end()) return corrupt("wrong length");
-    if (!finite) return corrupt("a number that is not finite");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kDescriptorBlob, "wrong length");
+    if (!finite) return corrupt_blob(kDescriptorBlob, "a number that is not finite");
     return descriptor;
 }
 

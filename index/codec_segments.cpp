@@ -14,13 +14,8 @@ namespace {
 /// As many parts as a label of one byte can tell apart.
 constexpr std::size_t kNarrowParts = 256;
 
-Error corrupt(std::string_view what) {
-    return {ErrorCode::kIndexCorrupt,
-            std::string(kSegmentsBlob.mark) + " blob: " + std::string(what)};
-}
-
 /// What is wrong with a part, if anything.
-std::string_view fault_of(const Decomposition::Part& part, std::uint32_t number,
+std::string_view fault_of(const decomposition::Decomposition::Part& part, std::uint32_t number,
                           std::size_t parts) {
     if (!std::isfinite(part.area) || part.area < 0.0) return "a part's area is no area";
     if (part.branch < -1) return "a branch that cannot be";
@@ -37,7 +32,7 @@ std::string_view fault_of(const Decomposition::Part& part, std::uint32_t number,
 std::string encode_segments(const ModelSegments& segments) {
     ByteWriter writer;
     writer.put(static_cast<std::uint32_t>(segments.parts.size()));
-    for (const Decomposition::Part& part : segments.parts) {
+    for (const decomposition::Decomposition::Part& part : segments.parts) {
         writer.put(part.area);
         writer.put(part.branch);
         writer.put(static_cast<std::uint32_t>(part.neighbors.size()));
@@ -61,13 +56,13 @@ Result<ModelSegments> decode_segments(std::string_view blob) {
     ModelSegments segments;
     segments.parts.resize(reader.get_count(16));
     for (std::uint32_t p = 0; p < segments.parts.size(); ++p) {
-        Decomposition::Part& part = segments.parts[p];
+        decomposition::Decomposition::Part& part = segments.parts[p];
         part.area = reader.get<double>();
         part.branch = reader.get<std::int32_t>();
         part.neighbors = reader.get_all<std::uint32_t>(reader.get_count(4));
         if (!reader.ok()) break;
         const std::string_view fault = fault_of(part, p, segments.parts.size());
-        if (!fault.empty()) return corrupt(fault);
+        if (!fault.empty()) return corrupt_blob(kSegmentsBlob, fault);
     }
     if (segments.parts.size() > kNarrowParts) {
         segments.labels = reader.get_all<std::uint32_t>(reader.get_count(4));
@@ -75,13 +70,14 @@ Result<ModelSegments> decode_segments(std::string_view blob) {
         const auto labels = reader.get_all<std::uint8_t>(reader.get_count(1));
         segments.labels.assign(labels.begin(), labels.end());
     }
-    if (!reader.ok() || !reader.at_end()) return corrupt("wrong length");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kSegmentsBlob, "wrong length");
     for (const std::uint32_t label : segments.labels) {
-        if (label >= segments.parts.size()) return corrupt("a label that is no part");
+        if (label >= segments.parts.size())
+            return corrupt_blob(kSegmentsBlob, "a label that is no part");
         ++segments.parts[label].triangles;
     }
-    for (const Decomposition::Part& part : segments.parts) {
-        if (part.triangles == 0) return corrupt("a part without a triangle");
+    for (const decomposition::Decomposition::Part& part : segments.parts) {
+        if (part.triangles == 0) return corrupt_blob(kSegmentsBlob, "a part without a triangle");
     }
     return segments;
 }

@@ -11,10 +11,6 @@ namespace ossuary::index {
 
 namespace {
 
-Error corrupt(const BlobKind& kind, std::string_view what) {
-    return {ErrorCode::kIndexCorrupt, std::string(kind.mark) + " blob: " + std::string(what)};
-}
-
 template <typename T>
 bool all_finite(const std::vector<T>& values) {
     return std::all_of(values.begin(), values.end(), [](T value) { return std::isfinite(value); });
@@ -43,17 +39,17 @@ std::string encode_floats(const BlobKind& kind, const std::vector<float>& values
 
 }  // namespace
 
-std::string encode_skeleton(const SkeletonGraph& graph) {
+std::string encode_skeleton(const skeleton::SkeletonGraph& graph) {
     ByteWriter writer;
     writer.put(static_cast<std::uint32_t>(graph.nodes.size()));
-    for (const SkeletonGraph::Node& node : graph.nodes) {
+    for (const skeleton::SkeletonGraph::Node& node : graph.nodes) {
         put_point(writer, node.position);
         writer.put(node.radius);
         writer.put(node.significance);
         writer.put(static_cast<std::int32_t>(node.degree));
     }
     writer.put(static_cast<std::uint32_t>(graph.branches.size()));
-    for (const SkeletonGraph::Branch& branch : graph.branches) {
+    for (const skeleton::SkeletonGraph::Branch& branch : graph.branches) {
         writer.put(branch.a);
         writer.put(branch.b);
         writer.put(static_cast<std::uint32_t>(branch.points.size()));
@@ -63,14 +59,14 @@ std::string encode_skeleton(const SkeletonGraph& graph) {
     return seal_blob(kSkeletonBlob, writer.bytes());
 }
 
-Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
+Result<skeleton::SkeletonGraph> decode_skeleton(std::string_view blob) {
     const auto payload = open_blob(kSkeletonBlob, blob);
     if (!payload) return payload.error();
     ByteReader reader(*payload);
-    SkeletonGraph graph;
+    skeleton::SkeletonGraph graph;
     graph.nodes.resize(reader.get_count(44));
     bool finite = true;
-    for (SkeletonGraph::Node& node : graph.nodes) {
+    for (skeleton::SkeletonGraph::Node& node : graph.nodes) {
         node.position = get_point(reader);
         node.radius = reader.get<double>();
         node.significance = reader.get<double>();
@@ -79,14 +75,14 @@ Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
                  std::isfinite(node.significance);
     }
     graph.branches.resize(reader.get_count(12 + 2 * 32));
-    for (SkeletonGraph::Branch& branch : graph.branches) {
+    for (skeleton::SkeletonGraph::Branch& branch : graph.branches) {
         branch.a = reader.get<std::uint32_t>();
         branch.b = reader.get<std::uint32_t>();
         const std::uint32_t count = reader.get_count(32);
         if (!reader.ok()) break;
-        if (count < 2) return corrupt(kSkeletonBlob, "a branch of fewer than two points");
+        if (count < 2) return corrupt_blob(kSkeletonBlob, "a branch of fewer than two points");
         if (std::max(branch.a, branch.b) >= graph.nodes.size()) {
-            return corrupt(kSkeletonBlob, "a branch ends at a node that is not there");
+            return corrupt_blob(kSkeletonBlob, "a branch ends at a node that is not there");
         }
         branch.points.reserve(count);
         for (std::uint32_t i = 0; i < count; ++i) {
@@ -96,15 +92,15 @@ Result<SkeletonGraph> decode_skeleton(std::string_view blob) {
         branch.radii = reader.get_all<double>(count);
         finite = finite && all_finite(branch.radii);
     }
-    if (!reader.ok() || !reader.at_end()) return corrupt(kSkeletonBlob, "wrong length");
-    if (!finite) return corrupt(kSkeletonBlob, "a number that is not finite");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kSkeletonBlob, "wrong length");
+    if (!finite) return corrupt_blob(kSkeletonBlob, "a number that is not finite");
     return graph;
 }
 
-std::string encode_globals(const std::vector<GlobalDescriptor>& globals) {
+std::string encode_globals(const std::vector<descriptor::GlobalDescriptor>& globals) {
     ByteWriter writer;
     writer.put(static_cast<std::uint32_t>(globals.size()));
-    for (const GlobalDescriptor& global : globals) {
+    for (const descriptor::GlobalDescriptor& global : globals) {
         writer.put_text(global.name);
         writer.put(static_cast<std::uint32_t>(global.values.size()));
         writer.put_all<std::uint8_t>(global.values);
@@ -112,12 +108,12 @@ std::string encode_globals(const std::vector<GlobalDescriptor>& globals) {
     return seal_blob(kGlobalsBlob, writer.bytes());
 }
 
-Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob) {
+Result<std::vector<descriptor::GlobalDescriptor>> decode_globals(std::string_view blob) {
     const auto payload = open_blob(kGlobalsBlob, blob);
     if (!payload) return payload.error();
     ByteReader reader(*payload);
-    std::vector<GlobalDescriptor> globals(reader.get_count(8));
-    for (GlobalDescriptor& global : globals) {
+    std::vector<descriptor::GlobalDescriptor> globals(reader.get_count(8));
+    for (descriptor::GlobalDescriptor& global : globals) {
         global.name = reader.get_text();
         if (blob_version(blob) >= 2) {
             global.values = reader.get_all<std::uint8_t>(reader.get_count(1));
@@ -125,10 +121,10 @@ Result<std::vector<GlobalDescriptor>> decode_globals(std::string_view blob) {
         }
         // No ranker of today compares the floats of version 1: only their number is kept.
         const auto floats = reader.get_all<float>(reader.get_count(4));
-        if (!all_finite(floats)) return corrupt(kGlobalsBlob, "a number that is not finite");
+        if (!all_finite(floats)) return corrupt_blob(kGlobalsBlob, "a number that is not finite");
         global.values.assign(floats.size(), 0);
     }
-    if (!reader.ok() || !reader.at_end()) return corrupt(kGlobalsBlob, "wrong length");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kGlobalsBlob, "wrong length");
     return globals;
 }
 
@@ -141,8 +137,8 @@ Result<std::vector<float>> decode_signature(std::string_view blob) {
     if (!payload) return payload.error();
     ByteReader reader(*payload);
     std::vector<float> signature = reader.get_all<float>(reader.get_count(4));
-    if (!reader.ok() || !reader.at_end()) return corrupt(kSignatureBlob, "wrong length");
-    if (!all_finite(signature)) return corrupt(kSignatureBlob, "a number that is not finite");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kSignatureBlob, "wrong length");
+    if (!all_finite(signature)) return corrupt_blob(kSignatureBlob, "a number that is not finite");
     return signature;
 }
 
@@ -171,7 +167,7 @@ Result<PreviewMesh> decode_preview(std::string_view blob) {
     const auto vertices = reader.get<std::uint32_t>();
     const auto triangles = reader.get<std::uint32_t>();
     const auto width = reader.get<std::uint8_t>();
-    if (width != 2 && width != 4) return corrupt(kPreviewBlob, "index width is not 2 or 4");
+    if (width != 2 && width != 4) return corrupt_blob(kPreviewBlob, "index width is not 2 or 4");
     PreviewMesh mesh;
     mesh.positions = reader.get_all<float>(std::size_t{3} * vertices);
     if (width == 4) {
@@ -180,10 +176,11 @@ Result<PreviewMesh> decode_preview(std::string_view blob) {
         const auto indices = reader.get_all<std::uint16_t>(std::size_t{3} * triangles);
         mesh.triangles.assign(indices.begin(), indices.end());
     }
-    if (!reader.ok() || !reader.at_end()) return corrupt(kPreviewBlob, "wrong length");
-    if (!all_finite(mesh.positions)) return corrupt(kPreviewBlob, "a number that is not finite");
+    if (!reader.ok() || !reader.at_end()) return corrupt_blob(kPreviewBlob, "wrong length");
+    if (!all_finite(mesh.positions))
+        return corrupt_blob(kPreviewBlob, "a number that is not finite");
     for (const std::uint32_t index : mesh.triangles) {
-        if (index >= vertices) return corrupt(kPreviewBlob, "a vertex index out of range");
+        if (index >= vertices) return corrupt_blob(kPreviewBlob, "a vertex index out of range");
     }
     return mesh;
 }
@@ -197,7 +194,7 @@ Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob) {
     const auto payload = open_blob(kThumbnailBlob, blob);
     if (!payload) return payload.error();
     if (payload->substr(0, 8) != "\x89PNG\r\n\x1a\n") {
-        return corrupt(kThumbnailBlob, "not a PNG picture");
+        return corrupt_blob(kThumbnailBlob, "not a PNG picture");
     }
     return std::vector<std::uint8_t>(payload->begin(), payload->end());
 }

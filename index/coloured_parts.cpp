@@ -34,7 +34,8 @@ std::array<std::uint8_t, 3> part_colour(std::uint32_t part) {
     return colour;
 }
 
-std::string coloured_ply(const TriangleMesh& mesh, const Segmentation& segmentation) {
+std::string coloured_ply(const mesh::TriangleMesh& mesh,
+                         const decomposition::Segmentation& segmentation) {
     std::string ply =
         "ply\nformat binary_little_endian 1.0\nelement vertex " +
         std::to_string(mesh.vertices.size()) +

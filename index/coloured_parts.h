@@ -15,6 +15,7 @@ namespace ossuary::index {
 
 /// The mesh as a binary little-endian PLY file whose faces have their part's colour.
 /// @param segmentation  a label for each triangle
-[[nodiscard]] std::string coloured_ply(const TriangleMesh& mesh, const Segmentation& segmentation);
+[[nodiscard]] std::string coloured_ply(const mesh::TriangleMesh& mesh,
+                                       const decomposition::Segmentation& segmentation);
 
 }  // namespace ossuary::index

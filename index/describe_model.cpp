@@ -19,14 +19,14 @@ constexpr std::size_t kPreviewTriangles = 2000;
 
 Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
                                   const IndexParameters& parameters, std::stop_token stop) {
-    auto read = read_mesh(bytes, name);
+    auto read = mesh::read_mesh(bytes, name);
     if (!read) return read.error();
-    const TriangleMesh& mesh = read->mesh;
-    auto description = describe(mesh, describe_options(parameters), stop);
+    const mesh::TriangleMesh& mesh = read->mesh;
+    auto description = descriptor::describe(mesh, describe_options(parameters), stop);
     if (!description) return description.error();
 
     NewModel model;
-    const MeshMeasures measures = measure(mesh);
+    const mesh::MeshMeasures measures = mesh::measure(mesh);
     model.summary.content_hash = content_hash(bytes);
     model.summary.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     model.summary.faces = mesh.face_count;
@@ -37,7 +37,7 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
                                   description->warnings.end());
     model.descriptor = std::move(description->descriptor);
     model.skeleton = std::move(description->skeleton);
-    const TriangleMesh coarse = decimate(mesh, {.max_triangles = kPreviewTriangles});
+    const mesh::TriangleMesh coarse = mesh::decimate(mesh, {.max_triangles = kPreviewTriangles});
     model.preview = make_preview(coarse);
     auto thumbnail = render_thumbnail(mesh);
     if (thumbnail) {
@@ -62,7 +62,7 @@ Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
     }
 }
 
-void add_segments(NewModel& model, const TriangleMesh& mesh, const TriangleMesh& coarse,
+void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& coarse,
                   std::stop_token stop) {
     auto segments = segment_model(mesh, coarse, model.skeleton, std::move(stop));
     if (segments) {
@@ -73,7 +73,7 @@ void add_segments(NewModel& model, const TriangleMesh& mesh, const TriangleMesh&
     }
 }
 
-PreviewMesh make_preview(const TriangleMesh& coarse) {
+PreviewMesh make_preview(const mesh::TriangleMesh& coarse) {
     PreviewMesh preview;
     preview.positions.reserve(coarse.vertices.size() * 3);
     for (const Vec3& vertex : coarse.vertices) {
@@ -82,7 +82,7 @@ PreviewMesh make_preview(const TriangleMesh& coarse) {
         }
     }
     preview.triangles.reserve(coarse.triangles.size() * 3);
-    for (const TriangleMesh::Triangle& triangle : coarse.triangles) {
+    for (const mesh::TriangleMesh::Triangle& triangle : coarse.triangles) {
         preview.triangles.insert(preview.triangles.end(), triangle.begin(), triangle.end());
     }
     return preview;

@@ -18,10 +18,10 @@ Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
 /// Cuts a described model into parts, the last and least needed stage of its description: where
 /// that fails or `stop` is requested, the model gets the warning kSegmentsMissing instead.
 /// @param coarse  the mesh of `model.preview`, at full precision
-void add_segments(NewModel& model, const TriangleMesh& mesh, const TriangleMesh& coarse,
+void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& coarse,
                   std::stop_token stop);
 
 /// The mesh as viewers are given it.
-[[nodiscard]] PreviewMesh make_preview(const TriangleMesh& coarse);
+[[nodiscard]] PreviewMesh make_preview(const mesh::TriangleMesh& coarse);
 
 }  // namespace ossuary::index

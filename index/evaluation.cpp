@@ -35,15 +35,16 @@ Selection select_classified(const Snapshot& snapshot) {
     return selection;
 }
 
-Result<Selection> select_named(const Snapshot& snapshot, const Classification& classification) {
+Result<Selection> select_named(const Snapshot& snapshot,
+                               const ranking::Classification& classification) {
     std::multimap<std::string, std::size_t> by_file_name;
     for (std::size_t i = 0; i < snapshot.size(); ++i) {
         by_file_name.emplace(file_name(snapshot.models()[i]), i);
     }
     Selection selection;
-    for (const ClassifiedModel& named : models_in_order(classification)) {
+    for (const ranking::ClassifiedModel& named : ranking::models_in_order(classification)) {
         std::optional<std::size_t> position;
-        for (const std::string& name : candidate_file_names(named.id)) {
+        for (const std::string& name : ranking::candidate_file_names(named.id)) {
             const auto [first, last] = by_file_name.equal_range(name);
             if (first == last) continue;
             if (std::next(first) != last) {
@@ -103,7 +104,8 @@ std::string collection_hash(const Snapshot& snapshot, const Selection& selection
     return content_hash(text);
 }
 
-Evaluation frame(const Snapshot& snapshot, const Selection& selection, const RankOptions& rank) {
+Evaluation frame(const Snapshot& snapshot, const Selection& selection,
+                 const ranking::RankOptions& rank) {
     Evaluation evaluation;
     evaluation.ranker = rank.ranker;
     evaluation.rerank = rank.rerank;
@@ -118,25 +120,25 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection, const Ran
 }
 
 /// The statistics of just the evaluated models, as if nothing else were in the index.
-Result<CollectionStatistics> statistics_for(const Snapshot& snapshot, const Selection& selection,
-                                            DescriptorSpan descriptors, const RankOptions& rank) {
-    if (rank.ranker == RankerKind::kChainCode) return CollectionStatistics{};
+Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot, const Selection& selection,
+                                            ranking::DescriptorSpan descriptors, const ranking::RankOptions& rank) {
+    if (rank.ranker == ranking::RankerKind::kChainCode) return ranking::CollectionStatistics{};
     bool whole = selection.positions.size() == snapshot.size();
     for (std::size_t i = 0; whole && i < selection.positions.size(); ++i) {
         whole = selection.positions[i] == i;
     }
     if (whole && snapshot.state().statistics == snapshot.revision()) return snapshot.statistics();
-    return collection_statistics(descriptors, rank.jobs, rank.stop);
+    return ranking::collection_statistics(descriptors, rank.jobs, rank.stop);
 }
 
-Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection, const RankOptions& rank) {
-    std::vector<const ModelDescriptor*> descriptors;
+Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection, const ranking::RankOptions& rank) {
+    std::vector<const descriptor::ModelDescriptor*> descriptors;
     for (const std::size_t position : selection.positions) {
         descriptors.push_back(snapshot.descriptors()[position]);
     }
     const auto statistics = statistics_for(snapshot, selection, descriptors, rank);
     if (!statistics) return statistics.error();
-    auto distances = distance_matrix(descriptors, *statistics, rank);
+    auto distances = ranking::distance_matrix(descriptors, *statistics, rank);
     if (!distances) return distances.error();
     Evaluation evaluation = frame(snapshot, selection, rank);
     evaluation.distances = *std::move(distances);
@@ -178,7 +180,8 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
     return evaluation;
 }
 
-Result<void> write_matrix(const std::filesystem::path& path, const DistanceMatrix& distances) {
+Result<void> write_matrix(const std::filesystem::path& path,
+                          const ranking::DistanceMatrix& distances) {
     assert(distances.values.size() == distances.size * distances.size);
     std::string bytes;
     bytes.reserve(distances.values.size() * sizeof(float));

@@ -19,18 +19,18 @@ namespace ossuary::index {
 struct EvaluateOptions {
     /// Evaluate the models that it names, in its order and with its classes; none = all models of
     /// the index that have a class, in the order of their ids.
-    std::optional<Classification> classification;
-    RankOptions rank;
+    std::optional<ranking::Classification> classification;
+    ranking::RankOptions rank;
 };
 
 struct Evaluation {
-    RankerKind ranker = RankerKind::kHybrid;
+    ranking::RankerKind ranker = ranking::RankerKind::kHybrid;
     bool rerank = false;
     double pose = 0.0;
-    RetrievalReport report;
-    DistanceMatrix distances;         ///< empty when the report came from the cache
-    std::vector<ModelId> order;       ///< of rows and columns
-    std::vector<std::string> labels;  ///< class of each row
+    ranking::RetrievalReport report;
+    ranking::DistanceMatrix distances;  ///< empty when the report came from the cache
+    std::vector<ModelId> order;         ///< of rows and columns
+    std::vector<std::string> labels;    ///< class of each row
     /// What the classification names and the index does not have.
     std::vector<std::string> missing;
     Revision revision = 0;
@@ -49,6 +49,7 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
                                    const EvaluateOptions& options = {});
 
 /// Writes the distances as little-endian float32, row by row: what the Princeton tools read.
-Result<void> write_matrix(const std::filesystem::path& path, const DistanceMatrix& distances);
+Result<void> write_matrix(const std::filesystem::path& path,
+                          const ranking::DistanceMatrix& distances);
 
 }  // namespace ossuary::index

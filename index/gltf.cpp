@@ -72,10 +72,11 @@ private:
     std::string bytes_;
 };
 
-json add_attributes(const TriangleMesh& mesh, const Rig& rig, GltfBuilder& builder) {
+json add_attributes(const mesh::TriangleMesh& mesh, const decomposition::Rig& rig,
+                    GltfBuilder& builder) {
     std::vector<float> positions, normals, weights;
     std::vector<std::uint16_t> joints;
-    const std::vector<Vec3> vertex_normal = vertex_normals(mesh);
+    const std::vector<Vec3> vertex_normal = mesh::vertex_normals(mesh);
     Eigen::Vector3f low = mesh.vertices[0].cast<float>(), high = low;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         const Eigen::Vector3f p = mesh.vertices[v].cast<float>();
@@ -100,8 +101,8 @@ json add_attributes(const TriangleMesh& mesh, const Rig& rig, GltfBuilder& build
 }
 
 /// A primitive and a material for each part.
-void add_mesh(const TriangleMesh& mesh, const Segmentation& segmentation, const json& attributes,
-              GltfBuilder& builder) {
+void add_mesh(const mesh::TriangleMesh& mesh, const decomposition::Segmentation& segmentation,
+              const json& attributes, GltfBuilder& builder) {
     std::vector<std::vector<std::uint32_t>> indices(segmentation.parts);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         auto& part = indices[segmentation.labels[t]];
@@ -130,8 +131,8 @@ void add_mesh(const TriangleMesh& mesh, const Segmentation& segmentation, const 
     builder.document()["materials"] = std::move(materials);
 }
 
-std::string joint_name(const Rig& rig, std::size_t k) {
-    const Rig::Joint& joint = rig.joints[k];
+std::string joint_name(const decomposition::Rig& rig, std::size_t k) {
+    const decomposition::Rig::Joint& joint = rig.joints[k];
     if (joint.parent < 0) return "root";
     if (joint.branch >= 0) return "branch " + std::to_string(joint.branch);
     const std::int32_t held_by = rig.joints[static_cast<std::size_t>(joint.parent)].branch;
@@ -139,11 +140,11 @@ std::string joint_name(const Rig& rig, std::size_t k) {
 }
 
 /// Joint k is node k; the mesh's node comes after them.
-void add_nodes(const Rig& rig, std::string_view name, GltfBuilder& builder) {
+void add_nodes(const decomposition::Rig& rig, std::string_view name, GltfBuilder& builder) {
     json nodes = json::array(), joints = json::array();
     std::vector<float> inverse_binds;
     for (std::size_t k = 0; k < rig.joints.size(); ++k) {
-        const Rig::Joint& joint = rig.joints[k];
+        const decomposition::Rig::Joint& joint = rig.joints[k];
         const Vec3 origin = joint.parent < 0
                                 ? Vec3::Zero()
                                 : rig.joints[static_cast<std::size_t>(joint.parent)].position;
@@ -171,8 +172,8 @@ void add_nodes(const Rig& rig, std::string_view name, GltfBuilder& builder) {
 
 }  // namespace
 
-std::string to_glb(const TriangleMesh& mesh, const Segmentation& segmentation, const Rig& rig,
-                   std::string_view name) {
+std::string to_glb(const mesh::TriangleMesh& mesh, const decomposition::Segmentation& segmentation,
+                   const decomposition::Rig& rig, std::string_view name) {
     GltfBuilder builder;
     const json attributes = add_attributes(mesh, rig, builder);
     add_mesh(mesh, segmentation, attributes, builder);

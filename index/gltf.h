@@ -13,7 +13,8 @@ namespace ossuary::index {
 /// for each part, the joints as nodes. Positions are float32.
 /// @param segmentation  the part of each triangle; @param rig  of the same mesh
 /// @pre the mesh has a triangle
-[[nodiscard]] std::string to_glb(const TriangleMesh& mesh, const Segmentation& segmentation,
-                                 const Rig& rig, std::string_view name);
+[[nodiscard]] std::string to_glb(const mesh::TriangleMesh& mesh,
+                                 const decomposition::Segmentation& segmentation,
+                                 const decomposition::Rig& rig, std::string_view name);
 
 }  // namespace ossuary::index

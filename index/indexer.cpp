@@ -91,7 +91,7 @@ private:
 FileOutcome IndexRun::process(const fs::path& path) {
     FileOutcome outcome;
     if (stop_.stop_requested()) return outcome;
-    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) {
         outcome.kind = FileOutcome::Kind::kFailed;
         outcome.error = bytes.error();
@@ -211,7 +211,7 @@ void IndexRun::move(const fs::path& path, FileOutcome outcome) {
         return;
     }
     // Another path of this run has taken the model's place.
-    auto bytes = read_bytes(path, ReadMeshOptions{}.max_bytes);
+    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) return fail(path, "", bytes.error());
     FileOutcome described = describe_file(path, *bytes, content_hash(*bytes));
     if (described.kind == FileOutcome::Kind::kDescribed) {
@@ -355,7 +355,7 @@ Result<void> update_statistics(Store& store, int jobs, const std::stop_token& st
 Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs,
                                const std::stop_token& stop) {
     if (snapshot.state().statistics == snapshot.revision()) return {};
-    const auto statistics = collection_statistics(snapshot.descriptors(), jobs, stop);
+    const auto statistics = ranking::collection_statistics(snapshot.descriptors(), jobs, stop);
     if (!statistics) return statistics.error();
     return store.put_statistics(*statistics, snapshot.revision());
 }

@@ -20,8 +20,9 @@ namespace ossuary::index {
 struct IndexOptions {
     /// Files (any) and folders (walked for model files, sorted); each must exist.
     std::vector<std::filesystem::path> paths;
-    std::optional<Classification> classes;  ///< names the models' classes; id N is N.off or mN.off
-    int jobs = 0;                           ///< models described at once; 0 = hardware threads
+    std::optional<ranking::Classification>
+        classes;                ///< names the models' classes; id N is N.off or mN.off
+    int jobs = 0;               ///< models described at once; 0 = hardware threads
     bool prune = false;         ///< remove the models under `paths` whose files are gone
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     /// A model that takes longer is recorded as `cancelled` (seen between the stages of its

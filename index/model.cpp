@@ -2,8 +2,8 @@
 
 namespace ossuary::index {
 
-DescribeOptions describe_options(const IndexParameters& parameters) {
-    DescribeOptions options;
+descriptor::DescribeOptions describe_options(const IndexParameters& parameters) {
+    descriptor::DescribeOptions options;
     options.skeletonize.voxelize.resolution = parameters.resolution;
     options.skeletonize.thinning.method = parameters.thinning;
     return options;

@@ -29,14 +29,14 @@ inline constexpr int kFirstPipelineWithSegments = 4;
 /// like them, so these are fixed when an index is made.
 struct IndexParameters {
     int resolution = 96;  ///< voxels along the longest side
-    ThinningMethod thinning = ThinningMethod::kAnchored;
+    skeleton::ThinningMethod thinning = skeleton::ThinningMethod::kAnchored;
     int pipeline = kPipelineVersion;
 
     bool operator==(const IndexParameters&) const = default;
 };
 
 /// The stages' options that `parameters` stand for.
-[[nodiscard]] DescribeOptions describe_options(const IndexParameters& parameters);
+[[nodiscard]] descriptor::DescribeOptions describe_options(const IndexParameters& parameters);
 
 /// What lists and pages show of a model.
 struct ModelSummary {
@@ -51,7 +51,7 @@ struct ModelSummary {
     std::uint32_t branches = 0;  ///< of the refined skeleton
     Box3 bounds;                 ///< model units
     double surface_area = 0.0;   ///< model units squared
-    std::vector<MeshWarning> warnings;
+    std::vector<mesh::MeshWarning> warnings;
     std::string indexed_at;  ///< ISO 8601, UTC, e.g. 2026-01-01T00:00:00Z
 };
 
@@ -65,14 +65,14 @@ struct PreviewMesh {
 struct ModelSegments {
     /// By descending area. Area and neighbours are those of the whole mesh, `triangles` counts
     /// those of the preview, `branch` is one of the stored skeleton.
-    std::vector<Decomposition::Part> parts;
+    std::vector<decomposition::Decomposition::Part> parts;
     /// The part of each triangle of the preview; every part has one.
     std::vector<std::uint32_t> labels;
 };
 
 /// A model's refined skeleton in model units, with the 5-element chain code of each branch.
 struct StoredSkeleton {
-    SkeletonGraph graph;
+    skeleton::SkeletonGraph graph;
     std::vector<std::string> chain_codes;  ///< as long as graph.branches
 };
 
@@ -80,8 +80,9 @@ struct StoredSkeleton {
 /// set by the store.
 struct NewModel {
     ModelSummary summary;
-    ModelDescriptor descriptor;
-    SkeletonGraph skeleton;  ///< refined, model units; indices as in `descriptor.skeleton`
+    descriptor::ModelDescriptor descriptor;
+    skeleton::SkeletonGraph
+        skeleton;  ///< refined, model units; indices as in `descriptor.skeleton`
     PreviewMesh preview;
     /// None where the model could not be cut into parts; then the warning kSegmentsMissing says
     /// why.

@@ -20,7 +20,7 @@ void walk(const fs::path& folder, std::vector<fs::path>& files) {
     const fs::recursive_directory_iterator end;
     while (!error && entry != end) {
         std::error_code unreadable;
-        if (entry->is_regular_file(unreadable) && is_model_file(entry->path())) {
+        if (entry->is_regular_file(unreadable) && mesh::is_model_file(entry->path())) {
             files.push_back(entry->path());
         }
         entry.increment(error);
@@ -95,13 +95,13 @@ Result<std::string> read_bytes(const fs::path& path, std::uint64_t max_bytes) {
     return bytes;
 }
 
-std::map<std::string, std::string> classes_by_file_name(const Classification& classification,
-                                                        const std::vector<fs::path>& files) {
+std::map<std::string, std::string> classes_by_file_name(
+    const ranking::Classification& classification, const std::vector<fs::path>& files) {
     std::set<std::string> present;
     for (const fs::path& file : files) present.insert(file.filename().string());
     std::map<std::string, std::string> classes;
-    for (const ClassifiedModel& model : models_in_order(classification)) {
-        for (const std::string& name : candidate_file_names(model.id)) {
+    for (const ranking::ClassifiedModel& model : ranking::models_in_order(classification)) {
+        for (const std::string& name : ranking::candidate_file_names(model.id)) {
             if (!present.contains(name)) continue;
             classes.emplace(name, model.class_name);
             break;

@@ -31,6 +31,6 @@ Result<std::string> read_bytes(const std::filesystem::path& path, std::uint64_t 
 /// Class of each file name that a classification names. An id stands for the first of its candidate
 /// names that is among `files`.
 [[nodiscard]] std::map<std::string, std::string> classes_by_file_name(
-    const Classification& classification, const std::vector<std::filesystem::path>& files);
+    const ranking::Classification& classification, const std::vector<std::filesystem::path>& files);
 
 }  // namespace ossuary::index

@@ -16,8 +16,8 @@
 namespace ossuary::index {
 namespace {
 
-TriangleMesh mesh_of(const PreviewMesh& preview) {
-    TriangleMesh mesh;
+mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
+    mesh::TriangleMesh mesh;
     for (std::size_t i = 0; i + 2 < preview.positions.size(); i += 3) {
         mesh.vertices.emplace_back(static_cast<double>(preview.positions[i]),
                                    static_cast<double>(preview.positions[i + 1]),
@@ -32,12 +32,12 @@ TriangleMesh mesh_of(const PreviewMesh& preview) {
 }
 
 /// For each part the branch of the skeleton that most of its area is mapped to, -1 without one.
-std::vector<std::int32_t> branches_of_parts(const TriangleMesh& mesh, const ModelSegments& segments,
-                                            const SkeletonGraph& skeleton,
+std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh, const ModelSegments& segments,
+                                            const skeleton::SkeletonGraph& skeleton,
                                             const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::int32_t>(segments.parts.size(), -1);
-    const BranchMapping mapping(skeleton);
-    const std::vector<Vec3> normals = triangle_normals(mesh);
+    const decomposition::BranchMapping mapping(skeleton);
+    const std::vector<Vec3> normals = mesh::triangle_normals(mesh);
     std::vector<std::int32_t> branches;
     branches.reserve(normals.size());
     for (std::size_t t = 0; t < normals.size(); ++t) {
@@ -46,17 +46,18 @@ std::vector<std::int32_t> branches_of_parts(const TriangleMesh& mesh, const Mode
         branches.push_back(
             static_cast<std::int32_t>(mapping.branch_of((a + b + c) / 3.0, normals[t])));
     }
-    return prevailing_labels(segments.parts.size(), segments.labels, branches,
-                             triangle_areas(mesh));
+    return decomposition::prevailing_labels(segments.parts.size(), segments.labels, branches,
+                                            mesh::triangle_areas(mesh));
 }
 
 }  // namespace
 
-Result<ModelSegments> segment_model(const TriangleMesh& mesh, const TriangleMesh& preview,
-                                    const SkeletonGraph& skeleton, std::stop_token stop) {
-    Result<Decomposition> decomposition = decompose(mesh, {}, stop);
+Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& preview,
+                                    const skeleton::SkeletonGraph& skeleton, std::stop_token stop) {
+    Result<decomposition::Decomposition> decomposition = decomposition::decompose(mesh, {}, stop);
     if (!decomposition) return decomposition.error();
-    Result<Segmentation> carried = carry_labels(mesh, decomposition->segmentation, preview);
+    Result<decomposition::Segmentation> carried =
+        decomposition::carry_labels(mesh, decomposition->segmentation, preview);
     if (!carried) return carried.error();
     ModelSegments segments{std::move(decomposition->parts), std::move(carried->labels)};
     for (auto& part : segments.parts) part.triangles = 0;
@@ -68,15 +69,15 @@ Result<ModelSegments> segment_model(const TriangleMesh& mesh, const TriangleMesh
 }
 
 Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& segments,
-                              const SkeletonGraph& skeleton, std::string_view name,
+                              const skeleton::SkeletonGraph& skeleton, std::string_view name,
                               const std::stop_token& stop) {
-    const TriangleMesh mesh = mesh_of(preview);
+    const mesh::TriangleMesh mesh = mesh_of(preview);
     if (segments.labels.size() != mesh.triangles.size()) {
         return {ErrorCode::kIndexCorrupt, "labels and triangles of the preview differ in number"};
     }
-    const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
-    const Segmentation parts{segments.labels, static_cast<std::uint32_t>(segments.parts.size())};
-    const Rig rig = make_rig(welded, skeleton, kRigSmoothing, stop);
+    const mesh::TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
+    const decomposition::Segmentation parts{segments.labels, static_cast<std::uint32_t>(segments.parts.size())};
+    const decomposition::Rig rig = decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
     if (stop.stop_requested()) return {ErrorCode::kCancelled, "making the rig was given up"};
     return to_glb(welded, parts, rig, name);
 }

@@ -18,14 +18,16 @@ namespace ossuary::index {
 /// @param preview  a coarse copy of `mesh`, at full precision (decimate.h)
 /// @param skeleton  refined, in model units
 /// Errors: those of decompose and carry_labels.
-Result<ModelSegments> segment_model(const TriangleMesh& mesh, const TriangleMesh& preview,
-                                    const SkeletonGraph& skeleton, std::stop_token stop = {});
+Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
+                                    const mesh::TriangleMesh& preview,
+                                    const skeleton::SkeletonGraph& skeleton,
+                                    std::stop_token stop = {});
 
 /// The preview of an indexed model, its parts and the stored skeleton as a rigged glTF file
 /// (gltf.h).
 /// Errors: index_corrupt when the parts are those of another preview, cancelled.
 Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& segments,
-                              const SkeletonGraph& skeleton, std::string_view name,
+                              const skeleton::SkeletonGraph& skeleton, std::string_view name,
                               const std::stop_token& stop = {});
 
 /// {parts: [{part, colour, triangles, area, area_share, branch, neighbors}], labels}

@@ -53,7 +53,7 @@ private:
 };
 
 Result<PixelPicture> draw(const SheetRow& row, std::size_t column, int cell_pixels) {
-    const Segmentation& segmentation = row.segmentations[column];
+    const decomposition::Segmentation& segmentation = row.segmentations[column];
     const std::vector<std::uint32_t> colours =
         matching_colours(row.mesh, row.segmentations[0], segmentation);
     ThumbnailOptions options{.size = cell_pixels};
@@ -67,32 +67,37 @@ Result<PixelPicture> draw(const SheetRow& row, std::size_t column, int cell_pixe
 
 Result<SheetRow> row_of(const SegmentationEvaluationOptions& options,
                         const SegmentationEvaluation::Model& model) {
-    auto read = read_mesh(options.models / (model.id + ".off"));
+    auto read = mesh::read_mesh(options.models / (model.id + ".off"));
     if (!read.ok()) return read.error();
     SheetRow row{std::move(read->mesh), {}};
-    const auto people = read_segmentations(options.truth, model.id, row.mesh.face_count);
+    const auto people =
+        decomposition::read_segmentations(options.truth, model.id, row.mesh.face_count);
     if (!people.ok()) return people.error();
     assert(!people->empty());  // a model without people's parts is not evaluated
-    row.segmentations.push_back(triangle_segmentation(row.mesh, people->front()));
-    for (const auto method : {DecompositionMethod::kThesis, DecompositionMethod::kEvidence}) {
-        const Result<Decomposition> made = decompose(row.mesh, {.method = method});
+    row.segmentations.push_back(decomposition::triangle_segmentation(row.mesh, people->front()));
+    for (const auto method : {decomposition::DecompositionMethod::kThesis,
+                              decomposition::DecompositionMethod::kEvidence}) {
+        const Result<decomposition::Decomposition> made =
+            decomposition::decompose(row.mesh, {.method = method});
         if (!made.ok()) return made.error();
         row.segmentations.push_back(made->segmentation);
     }
     if (!options.segmentations.empty()) {
-        row.segmentations.push_back(triangle_segmentation(row.mesh, model.segmentation));
+        row.segmentations.push_back(
+            decomposition::triangle_segmentation(row.mesh, model.segmentation));
     }
     return row;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> matching_colours(const TriangleMesh& mesh, const Segmentation& reference,
-                                            const Segmentation& segmentation) {
+std::vector<std::uint32_t> matching_colours(const mesh::TriangleMesh& mesh,
+                                            const decomposition::Segmentation& reference,
+                                            const decomposition::Segmentation& segmentation) {
     std::vector<double> areas(segmentation.parts, 0.0);
     std::vector<std::map<std::uint32_t, double>> shared(segmentation.parts);
     for (std::size_t t = 0; t < segmentation.labels.size(); ++t) {
-        const double area = triangle_area(mesh, t);
+        const double area = mesh::triangle_area(mesh, t);
         areas[segmentation.labels[t]] += area;
         shared[segmentation.labels[t]][reference.labels[t]] += area;
     }

@@ -14,14 +14,15 @@ namespace ossuary::index {
 /// the part of the reference that it shares most area with, unless a larger one has taken it.
 /// @param reference, segmentation  a label for each triangle of the mesh
 /// @returns the number of a colour (part_colour) for each part of the segmentation
-std::vector<std::uint32_t> matching_colours(const TriangleMesh& mesh, const Segmentation& reference,
-                                            const Segmentation& segmentation);
+std::vector<std::uint32_t> matching_colours(const mesh::TriangleMesh& mesh,
+                                            const decomposition::Segmentation& reference,
+                                            const decomposition::Segmentation& segmentation);
 
 /// One model cut in several ways.
 struct SheetRow {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     /// A label for each triangle; the first gives the colours of the others.
-    std::vector<Segmentation> segmentations;
+    std::vector<decomposition::Segmentation> segmentations;
 };
 
 /// Models in coloured parts as a PNG file on white: a row a model, a column a segmentation; above

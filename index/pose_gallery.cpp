@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kStyle = R"(
+constexpr std::string_view kGalleryStyle = R"(
 body { font: 15px/1.5 system-ui, sans-serif; color: #1d232b; margin: 2rem auto; max-width: 76rem;
        padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.5rem; }
@@ -43,14 +43,14 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 }
 
 /// The nearest other member of each of a class' members.
-std::vector<std::size_t> nearest_members(DescriptorSpan members,
-                                         const CollectionStatistics& statistics, double pose,
-                                         int jobs) {
-    RankOptions options;
-    options.ranker = RankerKind::kSkeleton;
+std::vector<std::size_t> nearest_members(ranking::DescriptorSpan members,
+                                         const ranking::CollectionStatistics& statistics,
+                                         double pose, int jobs) {
+    ranking::RankOptions options;
+    options.ranker = ranking::RankerKind::kSkeleton;
     options.pose = pose;
     options.jobs = jobs;
-    const DistanceMatrix distances = *distance_matrix(members, statistics, options);  // no stop
+    const ranking::DistanceMatrix distances = *ranking::distance_matrix(members, statistics, options);  // no stop
     std::vector<std::size_t> nearest;
     for (std::size_t i = 0; i < members.size(); ++i) {
         std::size_t best = i == 0 ? 1 : 0;
@@ -85,7 +85,7 @@ std::vector<PoseExample> pose_examples(const Snapshot& snapshot, const Evaluatio
     std::vector<PoseExample> examples;
     for (const auto& [name, ids] : classes) {
         if (ids.size() < 3 || name.empty() || name == "-1") continue;
-        std::vector<const ModelDescriptor*> members;
+        std::vector<const descriptor::ModelDescriptor*> members;
         for (const ModelId id : ids) {
             members.push_back(snapshot.descriptors()[snapshot.find(id).value()]);
         }
@@ -104,7 +104,7 @@ Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample>
     std::string html =
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\"><title>Poses</title><style>" +
-        std::string(kStyle) +
+        std::string(kGalleryStyle) +
         "</style></head><body>\n<h1>Poses</h1>\n<p>Models beside the nearest of their own class "
         "under <code>skeleton</code>: by build alone (pose 0), and where pose decides (pose "
         "1).</p>\n";

@@ -52,7 +52,7 @@ std::string axes() {
 
 std::string curve(const Evaluation& evaluation, std::string_view color, std::string_view dash) {
     std::string points;
-    for (const PrecisionRecallPoint& each : evaluation.report.precision_recall) {
+    for (const ranking::PrecisionRecallPoint& each : evaluation.report.precision_recall) {
         if (!points.empty()) points += ' ';
         points += fixed(x_of(each.recall), 1) + "," + fixed(y_of(each.precision), 1);
     }

@@ -12,14 +12,14 @@ json point(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
 
 json class_or_null(const std::string& name) { return name.empty() ? json() : json(name); }
 
-json pairs(const std::vector<Correspondence::Pair>& list) {
+json pairs(const std::vector<matching::Correspondence::Pair>& list) {
     json out = json::array();
     for (const auto& pair : list)
         out.push_back({{"a", pair.a}, {"b", pair.b}, {"cost", pair.cost}});
     return out;
 }
 
-void add_metrics(json& out, const RetrievalMetrics& metrics) {
+void add_metrics(json& out, const ranking::RetrievalMetrics& metrics) {
     out["nearest_neighbor"] = metrics.nearest_neighbor;
     out["first_tier"] = metrics.first_tier;
     out["second_tier"] = metrics.second_tier;
@@ -35,11 +35,11 @@ json compared(const ComparedModel& model) {
     return out;
 }
 
-json skeleton_json(const SkeletonGraph& graph, std::string_view unit,
+json skeleton_json(const skeleton::SkeletonGraph& graph, std::string_view unit,
                    std::span<const std::string> chain_codes) {
     json nodes = json::array();
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-        const SkeletonGraph::Node& node = graph.nodes[i];
+        const skeleton::SkeletonGraph::Node& node = graph.nodes[i];
         nodes.push_back({{"id", i},
                          {"position", point(node.position)},
                          {"radius", node.radius},
@@ -48,7 +48,7 @@ json skeleton_json(const SkeletonGraph& graph, std::string_view unit,
     }
     json branches = json::array();
     for (std::size_t i = 0; i < graph.branches.size(); ++i) {
-        const SkeletonGraph::Branch& branch = graph.branches[i];
+        const skeleton::SkeletonGraph::Branch& branch = graph.branches[i];
         json points = json::array();
         for (const Vec3& each : branch.points) points.push_back(point(each));
         json one = {{"id", i},
@@ -67,9 +67,9 @@ json skeleton_json(const SkeletonGraph& graph, std::string_view unit,
 
 json to_json(const Box3& box) { return {{"min", point(box.min())}, {"max", point(box.max())}}; }
 
-json to_json(const std::vector<MeshWarning>& warnings) {
+json to_json(const std::vector<mesh::MeshWarning>& warnings) {
     json out = json::array();
-    for (const MeshWarning& warning : warnings) {
+    for (const mesh::MeshWarning& warning : warnings) {
         out.push_back(
             {{"code", warning.code}, {"count", warning.count}, {"message", warning.message}});
     }
@@ -84,13 +84,13 @@ json to_json(const StageTimes& times) {
     return out;
 }
 
-json to_json(const std::vector<DistancePart>& parts) {
+json to_json(const std::vector<matching::DistancePart>& parts) {
     json out = json::object();
-    for (const DistancePart& part : parts) out[part.name] = part.value;
+    for (const matching::DistancePart& part : parts) out[part.name] = part.value;
     return out;
 }
 
-json to_json(const Correspondence& match) {
+json to_json(const matching::Correspondence& match) {
     return {{"nodes", pairs(match.nodes)},
             {"branches", pairs(match.branches)},
             {"cluster_sizes", match.cluster_sizes}};
@@ -100,11 +100,11 @@ json to_json(const StoredSkeleton& skeleton) {
     return skeleton_json(skeleton.graph, "model", skeleton.chain_codes);
 }
 
-json to_json(const SkeletonGraph& graph, std::string_view unit) {
+json to_json(const skeleton::SkeletonGraph& graph, std::string_view unit) {
     return skeleton_json(graph, unit, {});
 }
 
-json to_json(const Decomposition::Part& part, double total_area) {
+json to_json(const decomposition::Decomposition::Part& part, double total_area) {
     return {{"triangles", part.triangles},
             {"area", part.area},
             {"area_share", total_area > 0.0 ? part.area / total_area : 0.0},
@@ -153,7 +153,7 @@ json to_json(const Hit& hit) {
 }
 
 json to_json(const SearchResult& result, const QueryDescription& query,
-             const RankOptions& options) {
+             const ranking::RankOptions& options) {
     json hits = json::array();
     for (const Hit& hit : result.hits) hits.push_back(to_json(hit));
     return {{"took_ms", result.took_ms},
@@ -173,7 +173,7 @@ json to_json(const SearchResult& result, const QueryDescription& query,
             {"hits", std::move(hits)}};
 }
 
-json to_json(const Comparison& comparison, const RankOptions& options) {
+json to_json(const Comparison& comparison, const ranking::RankOptions& options) {
     return {{"a", compared(comparison.a)},
             {"b", compared(comparison.b)},
             {"ranker", to_string(options.ranker)},
@@ -188,7 +188,7 @@ json to_json(const Comparison& comparison, const RankOptions& options) {
 }
 
 json to_json(const Evaluation& evaluation) {
-    const RetrievalReport& report = evaluation.report;
+    const ranking::RetrievalReport& report = evaluation.report;
     json out = {{"models", report.models},
                 {"classes", report.classes},
                 {"ranker", to_string(evaluation.ranker)},
@@ -202,13 +202,13 @@ json to_json(const Evaluation& evaluation) {
     add_metrics(macro, report.macro_mean);
     out["macro_mean"] = std::move(macro);
     json curve = json::array();
-    for (const PrecisionRecallPoint& each : report.precision_recall) {
+    for (const ranking::PrecisionRecallPoint& each : report.precision_recall) {
         curve.push_back({{"recall", each.recall}, {"precision", each.precision}});
     }
     out["precision_recall"] = std::move(curve);
     json per_class = json::object();
     json names = json::array();
-    for (const ClassMetrics& each : report.per_class) {
+    for (const ranking::ClassMetrics& each : report.per_class) {
         json one = {{"models", each.models}};
         add_metrics(one, each.metrics);
         per_class[each.name] = std::move(one);

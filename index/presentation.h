@@ -19,21 +19,24 @@ namespace ossuary::index {
 // The JSON that the command line prints and the server sends; one place, so that they agree.
 
 [[nodiscard]] nlohmann::json to_json(const Box3& box);  ///< {min, max}
-[[nodiscard]] nlohmann::json to_json(const std::vector<MeshWarning>& warnings);
+[[nodiscard]] nlohmann::json to_json(const std::vector<mesh::MeshWarning>& warnings);
 [[nodiscard]] nlohmann::json to_json(const StageTimes& times);  ///< {stage: ms}
-[[nodiscard]] nlohmann::json to_json(const std::vector<DistancePart>& parts);
-[[nodiscard]] nlohmann::json to_json(const Correspondence& match);
+[[nodiscard]] nlohmann::json to_json(const std::vector<matching::DistancePart>& parts);
+[[nodiscard]] nlohmann::json to_json(const matching::Correspondence& match);
 [[nodiscard]] nlohmann::json to_json(const StoredSkeleton& skeleton);
 /// A skeleton without chain codes; `unit` is "model" or "voxel".
-[[nodiscard]] nlohmann::json to_json(const SkeletonGraph& graph, std::string_view unit = "model");
+[[nodiscard]] nlohmann::json to_json(const skeleton::SkeletonGraph& graph,
+                                     std::string_view unit = "model");
 /// A part without its number: {triangles, area, area_share, branch, neighbors}; the branch is null
 /// where it has none.
-[[nodiscard]] nlohmann::json to_json(const Decomposition::Part& part, double total_area);
+[[nodiscard]] nlohmann::json to_json(const decomposition::Decomposition::Part& part,
+                                     double total_area);
 [[nodiscard]] nlohmann::json to_json(const PreviewMesh& mesh, const Box3& bounds);
 [[nodiscard]] nlohmann::json to_json(const ModelSummary& model);  ///< without links
 [[nodiscard]] nlohmann::json to_json(const Failure& failure);
 [[nodiscard]] nlohmann::json to_json(const Hit& hit);
-[[nodiscard]] nlohmann::json to_json(const Comparison& comparison, const RankOptions& options);
+[[nodiscard]] nlohmann::json to_json(const Comparison& comparison,
+                                     const ranking::RankOptions& options);
 [[nodiscard]] nlohmann::json to_json(const Evaluation& evaluation);
 [[nodiscard]] nlohmann::json to_json(const IndexOutcome& outcome);
 [[nodiscard]] nlohmann::json to_json(const VerifyReport& report);
@@ -47,6 +50,6 @@ struct QueryDescription {
 };
 /// A whole search answer.
 [[nodiscard]] nlohmann::json to_json(const SearchResult& result, const QueryDescription& query,
-                                     const RankOptions& options);
+                                     const ranking::RankOptions& options);
 
 }  // namespace ossuary::index

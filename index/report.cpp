@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kStyle = R"(
+constexpr std::string_view kReportStyle = R"(
 body { font: 15px/1.5 system-ui, sans-serif; color: #1d232b; margin: 2rem auto; max-width: 76rem;
        padding: 0 1rem; }
 h1 { font-size: 1.6rem; } h2 { font-size: 1.2rem; margin-top: 2.5rem; }
@@ -34,15 +34,16 @@ td small { display: block; color: #5a6470; }
 struct Measure {
     const char* name;
     const char* title;
-    double RetrievalMetrics::*value;
+    double ranking::RetrievalMetrics::*value;
 };
 constexpr Measure kMeasures[] = {
-    {"nearest_neighbor", "Nearest neighbour", &RetrievalMetrics::nearest_neighbor},
-    {"first_tier", "First tier", &RetrievalMetrics::first_tier},
-    {"second_tier", "Second tier", &RetrievalMetrics::second_tier},
-    {"e_measure", "E-measure", &RetrievalMetrics::e_measure},
-    {"dcg", "DCG", &RetrievalMetrics::dcg},
-    {"mean_average_precision", "Mean average precision", &RetrievalMetrics::mean_average_precision},
+    {"nearest_neighbor", "Nearest neighbour", &ranking::RetrievalMetrics::nearest_neighbor},
+    {"first_tier", "First tier", &ranking::RetrievalMetrics::first_tier},
+    {"second_tier", "Second tier", &ranking::RetrievalMetrics::second_tier},
+    {"e_measure", "E-measure", &ranking::RetrievalMetrics::e_measure},
+    {"dcg", "DCG", &ranking::RetrievalMetrics::dcg},
+    {"mean_average_precision", "Mean average precision",
+     &ranking::RetrievalMetrics::mean_average_precision},
 };
 
 std::string table_head(std::string_view first, std::string_view second) {
@@ -54,7 +55,8 @@ std::string table_head(std::string_view first, std::string_view second) {
     return html + "</tr></thead>\n";
 }
 
-std::string table_row(std::string_view name, std::size_t models, const RetrievalMetrics& metrics) {
+std::string table_row(std::string_view name, std::size_t models,
+                      const ranking::RetrievalMetrics& metrics) {
     std::string html = "<tr><th scope=\"row\">" + markup_text(name) + "</th><td>" +
                        std::to_string(models) + "</td>";
     for (const Measure& measure : kMeasures) {
@@ -73,7 +75,8 @@ std::string interval_table(std::span<const Evaluation> evaluations) {
         html += "<tr><th scope=\"row\">" + markup_text(evaluation_title(evaluation)) + "</th><td>" +
                 std::to_string(evaluation.report.models) + "</td>";
         for (const Measure& measure : kMeasures) {
-            const BootstrapMean found = bootstrap_measure(evaluation.report, measure.value);
+            const ranking::BootstrapMean found =
+                ranking::bootstrap_measure(evaluation.report, measure.value);
             html += "<td>" + fixed(found.mean, 3) + "<small>[" + fixed(found.low, 3) + ", " +
                     fixed(found.high, 3) + "]</small></td>";
         }
@@ -82,10 +85,12 @@ std::string interval_table(std::span<const Evaluation> evaluations) {
     return html + "</tbody></table></div>\n";
 }
 
-bool same_queries(const RetrievalReport& a, const RetrievalReport& b) {
-    return std::equal(
-        a.per_query.begin(), a.per_query.end(), b.per_query.begin(), b.per_query.end(),
-        [](const QueryMetrics& x, const QueryMetrics& y) { return x.model == y.model; });
+bool same_queries(const ranking::RetrievalReport& a, const ranking::RetrievalReport& b) {
+    return std::equal(a.per_query.begin(), a.per_query.end(), b.per_query.begin(),
+                      b.per_query.end(),
+                      [](const ranking::QueryMetrics& x, const ranking::QueryMetrics& y) {
+                          return x.model == y.model;
+                      });
 }
 
 /// Calls body(first, second) for each two evaluations that can be compared query by query.
@@ -106,8 +111,8 @@ std::string comparison_rows(std::span<const Evaluation> evaluations) {
                 markup_text(evaluation_title(first)) + "</th><td>" +
                 std::to_string(first.report.models) + "</td>";
         for (const Measure& measure : kMeasures) {
-            const BootstrapMean gain =
-                bootstrap_difference(first.report, second.report, measure.value);
+            const ranking::BootstrapMean gain =
+                ranking::bootstrap_difference(first.report, second.report, measure.value);
             const bool certain = gain.low > 0.0 || gain.high < 0.0;
             html += std::string(certain ? "<td><b>" : "<td>") + fixed(gain.mean, 3) +
                     (certain ? "</b>" : "") + "<small>[" + fixed(gain.low, 3) + ", " +
@@ -118,12 +123,12 @@ std::string comparison_rows(std::span<const Evaluation> evaluations) {
     return html;
 }
 
-std::string confusion_table(const RetrievalReport& report) {
+std::string confusion_table(const ranking::RetrievalReport& report) {
     std::string html =
         "<div class=\"wide\"><table class=\"confusion\"><caption>Share of the queries of a class "
         "(row) whose nearest neighbour is of a class (column), in percent</caption><thead><tr>"
         "<td></td>";
-    for (const ClassMetrics& one : report.per_class) {
+    for (const ranking::ClassMetrics& one : report.per_class) {
         html += "<th scope=\"col\">" + markup_text(one.name) + "</th>";
     }
     html += "</tr></thead><tbody>\n";
@@ -159,7 +164,7 @@ Result<void> write_text(const fs::path& path, std::string_view text) {
 std::string precision_recall_csv(std::span<const Evaluation> evaluations) {
     std::string csv = "ranker,rerank,recall,precision\n";
     for (const Evaluation& evaluation : evaluations) {
-        for (const PrecisionRecallPoint& each : evaluation.report.precision_recall) {
+        for (const ranking::PrecisionRecallPoint& each : evaluation.report.precision_recall) {
             csv += std::string(to_string(evaluation.ranker)) +
                    (evaluation.rerank ? ",true," : ",false,") + shortest(each.recall) + "," +
                    shortest(each.precision) + "\n";
@@ -177,7 +182,7 @@ std::string metrics_csv(std::span<const Evaluation> evaluations) {
     csv += "\n";
     for (const Evaluation& evaluation : evaluations) {
         const auto add = [&](std::string_view name, std::size_t models,
-                             const RetrievalMetrics& metrics) {
+                             const ranking::RetrievalMetrics& metrics) {
             csv += std::string(to_string(evaluation.ranker)) +
                    (evaluation.rerank ? ",true," : ",false,") + csv_field(name) + "," +
                    std::to_string(models);
@@ -188,7 +193,7 @@ std::string metrics_csv(std::span<const Evaluation> evaluations) {
             csv += "\n";
         };
         add("", evaluation.report.models, evaluation.report.mean);
-        for (const ClassMetrics& one : evaluation.report.per_class) {
+        for (const ranking::ClassMetrics& one : evaluation.report.per_class) {
             add(one.name, one.models, one.metrics);
         }
     }
@@ -199,8 +204,8 @@ std::string comparisons_csv(std::span<const Evaluation> evaluations) {
     std::string csv = "first,second,measure,difference,low,high\n";
     for_each_pair(evaluations, [&](const Evaluation& first, const Evaluation& second) {
         for (const Measure& measure : kMeasures) {
-            const BootstrapMean gain =
-                bootstrap_difference(first.report, second.report, measure.value);
+            const ranking::BootstrapMean gain =
+                ranking::bootstrap_difference(first.report, second.report, measure.value);
             csv += csv_field(evaluation_title(first)) + "," + csv_field(evaluation_title(second)) +
                    "," + measure.name + "," + shortest(gain.mean) + "," + shortest(gain.low) + "," +
                    shortest(gain.high) + "\n";
@@ -214,7 +219,7 @@ std::string report_html(std::span<const Evaluation> evaluations) {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\">"
         "<title>Retrieval report</title><style>" +
-        std::string(kStyle) + "</style></head><body>\n<h1>Retrieval report</h1>\n";
+        std::string(kReportStyle) + "</style></head><body>\n<h1>Retrieval report</h1>\n";
     if (!evaluations.empty()) {
         const Evaluation& first = evaluations.front();
         html += "<p>" + std::to_string(first.report.models) + " models of " +
@@ -239,7 +244,7 @@ std::string report_html(std::span<const Evaluation> evaluations) {
     for (const Evaluation& evaluation : evaluations) {
         html += "<h2>Classes: " + markup_text(evaluation_title(evaluation)) +
                 "</h2>\n<div class=\"wide\"><table>" + table_head("Class", "Models") + "<tbody>\n";
-        for (const ClassMetrics& one : evaluation.report.per_class) {
+        for (const ranking::ClassMetrics& one : evaluation.report.per_class) {
             html += table_row(one.name, one.models, one.metrics);
         }
         html += "</tbody></table></div>\n" + confusion_table(evaluation.report);

@@ -9,33 +9,34 @@ namespace ossuary::index {
 
 namespace {
 
-StoredSkeleton with_chain_codes(SkeletonGraph graph, const SkeletonDescriptor& descriptor) {
+StoredSkeleton with_chain_codes(skeleton::SkeletonGraph graph,
+                                const matching::SkeletonDescriptor& descriptor) {
     StoredSkeleton skeleton{std::move(graph), {}};
-    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+    for (const matching::SkeletonDescriptor::Branch& branch : descriptor.branches) {
         skeleton.chain_codes.push_back(branch.chain_code);
     }
     return skeleton;
 }
 
 /// The options with the stop token of one call.
-RankOptions stoppable(RankOptions options, std::stop_token stop) {
+ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token stop) {
     options.stop = std::move(stop);
     return options;
 }
 
 /// The models that may be hits, nearest first.
-Result<std::vector<RankedModel>> ranked(const Snapshot& snapshot, const ModelDescriptor& query,
+Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
                                         const SearchOptions& options, ModelId left_out) {
     // One more, because the model that is left out is among the nearest. A class is looked for in
     // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
-    NearestOptions nearest;
+    ranking::NearestOptions nearest;
     const bool all = options.limit == 0 || !options.class_filter.empty();
     nearest.count = all ? snapshot.size() : options.limit + 1;
-    const auto models = nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
+    const auto models = ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
                                        snapshot.statistics(), options.rank, nearest);
     if (!models) return models.error();
-    std::vector<RankedModel> hits;
-    for (const RankedModel& found : *models) {
+    std::vector<ranking::RankedModel> hits;
+    for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
         if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
@@ -46,12 +47,12 @@ Result<std::vector<RankedModel>> ranked(const Snapshot& snapshot, const ModelDes
 }
 
 /// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
-Result<void> find_hits(const Snapshot& snapshot, const ModelDescriptor& query,
+Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
                        const SearchOptions& options, ModelId left_out, SearchResult& result) {
     Stopwatch watch;
     const auto models = ranked(snapshot, query, options, left_out);
     if (!models) return models.error();
-    for (const RankedModel& found : *models) {
+    for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         Hit hit;
         hit.rank = result.hits.size() + 1;
@@ -65,21 +66,21 @@ Result<void> find_hits(const Snapshot& snapshot, const ModelDescriptor& query,
     if (options.with_match) {
         for (Hit& hit : result.hits) {
             const auto position = snapshot.find(hit.id);
-            auto match = explain(query, *snapshot.descriptors()[*position], snapshot.statistics(),
+            auto match = ranking::explain(query, *snapshot.descriptors()[*position], snapshot.statistics(),
                                  options.rank);
             if (!match) return match.error();
             hit.parts = std::move(match->parts);
             hit.matched_nodes = match->correspondence.nodes.size();
             hit.match = std::move(match->correspondence);
         }
-        result.stages_ms.push_back({"explain", watch.lap_ms()});
+        result.stages_ms.push_back({"ranking::explain", watch.lap_ms()});
     }
     result.models = snapshot.size();
     result.revision = snapshot.revision();
     return {};
 }
 
-Result<void> check_rank_options(const RankOptions& options) {
+Result<void> check_rank_options(const ranking::RankOptions& options) {
     if (!(options.pose >= 0.0 && options.pose <= 1.0)) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.pose) + ", expected a number from 0 to 1"};
@@ -93,16 +94,16 @@ Result<void> check_rank_options(const RankOptions& options) {
 
 }  // namespace
 
-Result<Comparison> compare_meshes(const TriangleMesh& a, const TriangleMesh& b,
-                                  const IndexParameters& parameters, const RankOptions& options,
-                                  std::stop_token stop) {
+Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
+                                  const IndexParameters& parameters,
+                                  const ranking::RankOptions& options, std::stop_token stop) {
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
-    auto first = describe(a, describe_options(parameters), stop);
+    auto first = descriptor::describe(a, describe_options(parameters), stop);
     if (!first) return first.error();
-    auto second = describe(b, describe_options(parameters), stop);
+    auto second = descriptor::describe(b, describe_options(parameters), stop);
     if (!second) return second.error();
     auto match =
-        explain(first->descriptor, second->descriptor, {}, stoppable(options, std::move(stop)));
+        ranking::explain(first->descriptor, second->descriptor, {}, stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
     comparison.match = *std::move(match);
@@ -153,13 +154,14 @@ Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
     return loaded;
 }
 
-Result<SearchResult> Searcher::search(const TriangleMesh& query, const SearchOptions& options,
+Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const SearchOptions& options,
                                       std::stop_token stop) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
     const Stopwatch total;
     const auto loaded = snapshot();
     if (!loaded) return loaded.error();
-    auto description = describe(query, describe_options(impl_->store.parameters()), stop);
+    auto description =
+        descriptor::describe(query, describe_options(impl_->store.parameters()), stop);
     if (!description) return description.error();
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
@@ -197,7 +199,7 @@ Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options,
     return result;
 }
 
-Result<Comparison> Searcher::compare(ModelId a, ModelId b, const RankOptions& options,
+Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOptions& options,
                                      std::stop_token stop) {
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
     auto found = consistent({a, b});
@@ -205,7 +207,7 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const RankOptions& op
     const Snapshot& models = *found->snapshot;
     const std::size_t first = *models.find(a);
     const std::size_t second = *models.find(b);
-    auto match = explain(*models.descriptors()[first], *models.descriptors()[second],
+    auto match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
                          models.statistics(), stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;

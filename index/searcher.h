@@ -19,7 +19,7 @@
 namespace ossuary::index {
 
 struct SearchOptions {
-    RankOptions rank;
+    ranking::RankOptions rank;
     std::size_t limit = 10;    ///< hits returned; 0 = all
     std::string class_filter;  ///< only hits of this class; empty = all
     bool with_match = true;    ///< parts and correspondences of the returned hits
@@ -31,16 +31,16 @@ struct Hit {
     std::string name;
     std::string class_name;
     double distance = 0.0;
-    std::vector<DistancePart> parts;
+    std::vector<matching::DistancePart> parts;
     std::size_t matched_nodes = 0;
-    Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
+    matching::Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
 };
 
 struct SearchResult {
     double took_ms = 0.0;
     StageTimes stages_ms;
     StoredSkeleton query_skeleton;  ///< model units
-    std::vector<MeshWarning> warnings;
+    std::vector<mesh::MeshWarning> warnings;
     std::vector<Hit> hits;   ///< nearest first; equal distances in the order of ids
     std::size_t models = 0;  ///< compared with
     Revision revision = 0;
@@ -54,14 +54,15 @@ struct ComparedModel {
 struct Comparison {
     ComparedModel a;
     ComparedModel b;
-    Match match;
+    matching::Match match;
 };
 
 /// Compares two meshes without an index. Distances of `hybrid` are then not normalised by any
 /// collection.
-Result<Comparison> compare_meshes(const TriangleMesh& a, const TriangleMesh& b,
+Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b,
                                   const IndexParameters& parameters = {},
-                                  const RankOptions& options = {}, std::stop_token stop = {});
+                                  const ranking::RankOptions& options = {},
+                                  std::stop_token stop = {});
 
 /// Answers queries over an index. Safe to call from several threads at once.
 class Searcher {
@@ -80,13 +81,13 @@ public:
     [[nodiscard]] Store& store();
 
     /// Errors: those of describe, cancelled.
-    Result<SearchResult> search(const TriangleMesh& query, const SearchOptions& options = {},
+    Result<SearchResult> search(const mesh::TriangleMesh& query, const SearchOptions& options = {},
                                 std::stop_token stop = {});
     /// The models nearest to an indexed one, itself left out. Errors: model_not_found, cancelled.
     Result<SearchResult> similar(ModelId id, const SearchOptions& options = {},
                                  std::stop_token stop = {});
     /// Errors: model_not_found, cancelled.
-    Result<Comparison> compare(ModelId a, ModelId b, const RankOptions& options = {},
+    Result<Comparison> compare(ModelId a, ModelId b, const ranking::RankOptions& options = {},
                                std::stop_token stop = {});
 
 private:

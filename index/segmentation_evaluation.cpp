@@ -20,11 +20,15 @@ namespace fs = std::filesystem;
 
 using Model = SegmentationEvaluation::Model;
 
-constexpr double SegmentationErrors::*kErrors[] = {
-    &SegmentationErrors::rand_index_error,        &SegmentationErrors::hamming,
-    &SegmentationErrors::hamming_missing,         &SegmentationErrors::hamming_false_alarm,
-    &SegmentationErrors::global_consistency,      &SegmentationErrors::local_consistency,
-    &SegmentationErrors::global_consistency_area, &SegmentationErrors::local_consistency_area,
+constexpr double decomposition::SegmentationErrors::*kErrors[] = {
+    &decomposition::SegmentationErrors::rand_index_error,
+    &decomposition::SegmentationErrors::hamming,
+    &decomposition::SegmentationErrors::hamming_missing,
+    &decomposition::SegmentationErrors::hamming_false_alarm,
+    &decomposition::SegmentationErrors::global_consistency,
+    &decomposition::SegmentationErrors::local_consistency,
+    &decomposition::SegmentationErrors::global_consistency_area,
+    &decomposition::SegmentationErrors::local_consistency_area,
 };
 
 struct ScoreField {
@@ -51,7 +55,7 @@ constexpr ScoreField kScoreFields[] = {
 };
 
 /// The numbers of the models first, in order, then other names.
-bool id_before(const ClassifiedModel& a, const ClassifiedModel& b) {
+bool id_before(const ranking::ClassifiedModel& a, const ranking::ClassifiedModel& b) {
     const auto number = [](const std::string& id) {
         long value = 0;
         const auto [end, failure] = std::from_chars(id.data(), id.data() + id.size(), value);
@@ -61,13 +65,14 @@ bool id_before(const ClassifiedModel& a, const ClassifiedModel& b) {
     return x != y ? x < y : a.id < b.id;
 }
 
-std::vector<ClassifiedModel> models_to_evaluate(const SegmentationEvaluationOptions& options) {
-    if (options.classification) return models_in_order(*options.classification);
-    std::vector<ClassifiedModel> models;
+std::vector<ranking::ClassifiedModel> models_to_evaluate(
+    const SegmentationEvaluationOptions& options) {
+    if (options.classification) return ranking::models_in_order(*options.classification);
+    std::vector<ranking::ClassifiedModel> models;
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(options.models, ignored)) {
         const std::string id = entry.path().stem().string();
-        if (!is_model_file(entry.path()) || !fs::is_directory(options.truth / id, ignored))
+        if (!mesh::is_model_file(entry.path()) || !fs::is_directory(options.truth / id, ignored))
             continue;
         models.push_back({id, ""});
     }
@@ -75,36 +80,37 @@ std::vector<ClassifiedModel> models_to_evaluate(const SegmentationEvaluationOpti
     return models;
 }
 
-double median_parts(const std::vector<Segmentation>& truths) {
+double median_parts(const std::vector<decomposition::Segmentation>& truths) {
     std::vector<std::uint32_t> parts;
-    for (const Segmentation& truth : truths) parts.push_back(truth.parts);
+    for (const decomposition::Segmentation& truth : truths) parts.push_back(truth.parts);
     std::sort(parts.begin(), parts.end());
     const std::size_t middle = parts.size() / 2;
     if (parts.size() % 2 == 1) return parts[middle];
     return 0.5 * (parts[middle - 1] + parts[middle]);
 }
 
-std::vector<double> face_areas(const TriangleMesh& mesh) {
+std::vector<double> face_areas(const mesh::TriangleMesh& mesh) {
     std::vector<double> areas(mesh.face_count, 0.0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        areas[mesh.face_of_triangle[t]] += triangle_area(mesh, t);
+        areas[mesh.face_of_triangle[t]] += mesh::triangle_area(mesh, t);
     }
     return areas;
 }
 
-void add_face_scores(const std::vector<Segmentation>& truths, const std::vector<double>& areas,
-                     Model& model) {
+void add_face_scores(const std::vector<decomposition::Segmentation>& truths,
+                     const std::vector<double>& areas, Model& model) {
     SegmentationScores& scores = model.scores;
     const double share = 1.0 / static_cast<double>(truths.size());
-    for (const Segmentation& truth : truths) {
-        const SegmentationErrors errors = segmentation_errors(truth, model.segmentation, areas);
+    for (const decomposition::Segmentation& truth : truths) {
+        const decomposition::SegmentationErrors errors =
+            decomposition::segmentation_errors(truth, model.segmentation, areas);
         for (const auto error : kErrors) scores.*error += share * (errors.*error);
     }
     std::size_t pairs = 0;
     double sum = 0.0;
     for (std::size_t i = 0; i < truths.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j, ++pairs) {
-            sum += segmentation_errors(truths[i], truths[j], areas).rand_index_error;
+            sum += decomposition::segmentation_errors(truths[i], truths[j], areas).rand_index_error;
         }
     }
     if (pairs > 0) scores.people_rand_index_error = sum / static_cast<double>(pairs);
@@ -112,15 +118,16 @@ void add_face_scores(const std::vector<Segmentation>& truths, const std::vector<
     scores.people_parts = median_parts(truths);
 }
 
-void add_cut_discrepancy(const std::vector<Segmentation>& truths, const TriangleMesh& mesh,
-                         Model& model) {
-    const CutDiscrepancy discrepancy(mesh);
-    const auto ours = discrepancy.cuts_of(triangle_segmentation(mesh, model.segmentation));
+void add_cut_discrepancy(const std::vector<decomposition::Segmentation>& truths,
+                         const mesh::TriangleMesh& mesh, Model& model) {
+    const decomposition::CutDiscrepancy discrepancy(mesh);
+    const auto ours =
+        discrepancy.cuts_of(decomposition::triangle_segmentation(mesh, model.segmentation));
     double sum = 0.0;
     int defined = 0;
-    for (const Segmentation& truth : truths) {
-        const auto value =
-            discrepancy(discrepancy.cuts_of(triangle_segmentation(mesh, truth)), ours);
+    for (const decomposition::Segmentation& truth : truths) {
+        const auto value = discrepancy(
+            discrepancy.cuts_of(decomposition::triangle_segmentation(mesh, truth)), ours);
         if (!value) continue;
         sum += *value;
         ++defined;
@@ -129,66 +136,70 @@ void add_cut_discrepancy(const std::vector<Segmentation>& truths, const Triangle
     if (defined > 0) model.scores.cut_discrepancy = sum / defined;
 }
 
-void add_registered_cuts(const std::vector<Segmentation>& truths, const TriangleMesh& mesh,
-                         Model& model) {
-    const double area = measure(mesh).surface_area;
+void add_registered_cuts(const std::vector<decomposition::Segmentation>& truths,
+                         const mesh::TriangleMesh& mesh, Model& model) {
+    const double area = mesh::measure(mesh).surface_area;
     if (area <= 0.0) return;
     const double scale = 1.0 / std::sqrt(area);
-    const EdgeTable edges = build_edge_table(mesh);
-    const auto cuts_of = [&](const Segmentation& faces) {
-        return find_cuts(mesh, edges, triangle_segmentation(mesh, faces));
+    const mesh::EdgeTable edges = mesh::build_edge_table(mesh);
+    const auto cuts_of = [&](const decomposition::Segmentation& faces) {
+        return decomposition::find_cuts(mesh, edges,
+                                        decomposition::triangle_segmentation(mesh, faces));
     };
-    const std::vector<Cut> made = cuts_of(model.segmentation);
-    std::vector<std::vector<Cut>> people;
-    for (const Segmentation& truth : truths) people.push_back(cuts_of(truth));
+    const std::vector<decomposition::Cut> made = cuts_of(model.segmentation);
+    std::vector<std::vector<decomposition::Cut>> people;
+    for (const decomposition::Segmentation& truth : truths) people.push_back(cuts_of(truth));
     SegmentationScores& scores = model.scores;
     const double share = scale / static_cast<double>(truths.size());
     double sum = 0.0;
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < people.size(); ++i) {
-        const RegisteredCuts found = register_cuts(people[i], made);
+        const decomposition::RegisteredCuts found = decomposition::register_cuts(people[i], made);
         scores.registered_cuts += share * found.total();
         scores.additional_cuts += share * found.additional;
         scores.missing_cuts += share * found.missing;
         for (std::size_t j = 0; j < people.size(); ++j) {
             if (i == j) continue;
-            sum += scale * register_cuts(people[i], people[j]).total();
+            sum += scale * decomposition::register_cuts(people[i], people[j]).total();
             ++pairs;
         }
     }
     if (pairs > 0) scores.people_registered_cuts = sum / static_cast<double>(pairs);
 }
 
-Result<Segmentation> segmentation_of(const TriangleMesh& mesh,
-                                     const SegmentationEvaluationOptions& options,
-                                     const std::vector<Segmentation>& truths, Model& model,
-                                     std::stop_token stop) {
+Result<decomposition::Segmentation> segmentation_of(
+    const mesh::TriangleMesh& mesh, const SegmentationEvaluationOptions& options,
+    const std::vector<decomposition::Segmentation>& truths, Model& model, std::stop_token stop) {
     if (!options.segmentations.empty()) {
-        return read_seg(options.segmentations / (model.id + ".seg"), mesh.face_count);
+        return decomposition::read_seg(options.segmentations / (model.id + ".seg"),
+                                       mesh.face_count);
     }
-    DecomposeOptions decompose_options = options.decompose;
+    decomposition::DecomposeOptions decompose_options = options.decompose;
     if (options.parts_of_people) {
         decompose_options.parts = static_cast<std::size_t>(median_parts(truths));
     }
     Stopwatch watch;
-    const Result<Decomposition> decomposition = decompose(mesh, decompose_options, stop);
+    const Result<decomposition::Decomposition> decomposition =
+        decomposition::decompose(mesh, decompose_options, stop);
     if (!decomposition.ok()) return decomposition.error();
     model.took_ms = watch.elapsed_ms();
-    return face_segmentation(mesh, decomposition->segmentation);
+    return decomposition::face_segmentation(mesh, decomposition->segmentation);
 }
 
-Result<Model> evaluate_model(const ClassifiedModel& named,
+Result<Model> evaluate_model(const ranking::ClassifiedModel& named,
                              const SegmentationEvaluationOptions& options, std::stop_token stop) {
     Model model{named.id, named.class_name, {}, {}, false, 0.0};
-    const auto read = read_mesh(options.models / (named.id + ".off"));
+    const auto read = mesh::read_mesh(options.models / (named.id + ".off"));
     if (!read.ok()) return read.error();
-    const auto truths = read_segmentations(options.truth, named.id, read->mesh.face_count);
+    const auto truths =
+        decomposition::read_segmentations(options.truth, named.id, read->mesh.face_count);
     if (!truths.ok()) return truths.error();
     if (truths->empty()) {
         return Error{ErrorCode::kFileNotFound,
                      (options.truth / named.id).string() + ": no .seg files"};
     }
-    Result<Segmentation> made = segmentation_of(read->mesh, options, *truths, model, stop);
+    Result<decomposition::Segmentation> made =
+        segmentation_of(read->mesh, options, *truths, model, stop);
     if (!made.ok()) return made.error();
     model.segmentation = *std::move(made);
     add_face_scores(*truths, face_areas(read->mesh), model);
@@ -235,9 +246,9 @@ void add_means(SegmentationEvaluation& evaluation) {
 }
 
 nlohmann::json row_json(const SegmentationEvaluation::Row& row) {
-    nlohmann::json json = {{"models", row.models}};
-    for (const ScoreField& field : kScoreFields) json[field.name] = row.scores.*field.value;
-    return json;
+    nlohmann::json document = {{"models", row.models}};
+    for (const ScoreField& field : kScoreFields) document[field.name] = row.scores.*field.value;
+    return document;
 }
 
 }  // namespace
@@ -249,7 +260,7 @@ Result<SegmentationEvaluation> evaluate_segmentation(const SegmentationEvaluatio
         if (folder.empty() || fs::is_directory(folder, ignored)) continue;
         return Error{ErrorCode::kFileNotFound, folder.string() + ": no such folder"};
     }
-    const std::vector<ClassifiedModel> named = models_to_evaluate(options);
+    const std::vector<ranking::ClassifiedModel> named = models_to_evaluate(options);
     if (named.empty()) {
         return Error{
             ErrorCode::kModelNotFound,
@@ -273,20 +284,20 @@ Result<SegmentationEvaluation> evaluate_segmentation(const SegmentationEvaluatio
 }
 
 nlohmann::json to_json(const SegmentationEvaluation& evaluation) {
-    nlohmann::json json = row_json(evaluation.mean);
-    json["mean_ms"] = evaluation.mean_ms;
-    json["per_class"] = nlohmann::json::array();
+    nlohmann::json document = row_json(evaluation.mean);
+    document["mean_ms"] = evaluation.mean_ms;
+    document["per_class"] = nlohmann::json::array();
     for (const auto& row : evaluation.per_class) {
-        json["per_class"].push_back(row_json(row));
-        json["per_class"].back()["class"] = row.name;
+        document["per_class"].push_back(row_json(row));
+        document["per_class"].back()["class"] = row.name;
     }
-    json["failures"] = nlohmann::json::array();
+    document["failures"] = nlohmann::json::array();
     for (const auto& failure : evaluation.failures) {
-        json["failures"].push_back({{"model", failure.id},
-                                    {"code", to_string(failure.error.code)},
-                                    {"message", failure.error.message}});
+        document["failures"].push_back({{"model", failure.id},
+                                        {"code", to_string(failure.error.code)},
+                                        {"message", failure.error.message}});
     }
-    return json;
+    return document;
 }
 
 std::string to_csv(const SegmentationEvaluation& evaluation) {

@@ -21,15 +21,15 @@ struct SegmentationEvaluationOptions {
     /// Evaluate these segmentations, N.seg, instead of making some.
     std::filesystem::path segmentations;
     /// The models to evaluate, with their classes; without it all in `models` that have a truth.
-    std::optional<Classification> classification;
-    DecomposeOptions decompose;
+    std::optional<ranking::Classification> classification;
+    decomposition::DecomposeOptions decompose;
     /// Ask for as many parts as people make of the model in the median.
     bool parts_of_people = false;
     int jobs = 0;
 };
 
 /// Means over people for a model, over models for a class or the whole.
-struct SegmentationScores : SegmentationErrors {
+struct SegmentationScores : decomposition::SegmentationErrors {
     double cut_discrepancy = 0.0;  ///< over the models where it is defined
     /// The thesis' distance of registered cuts (registered_cuts.h) with people as the reference,
     /// over the square root of the model's area; and of people from each other.
@@ -45,8 +45,8 @@ struct SegmentationScores : SegmentationErrors {
 struct SegmentationEvaluation {
     struct Model {
         std::string id;
-        std::string class_name;     ///< empty without classification
-        Segmentation segmentation;  ///< of the file's faces
+        std::string class_name;                    ///< empty without classification
+        decomposition::Segmentation segmentation;  ///< of the file's faces
         SegmentationScores scores;
         bool has_cut_discrepancy = false;
         double took_ms = 0.0;  ///< from mesh to parts, wall clock; 0 where it was read

@@ -16,7 +16,7 @@ Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snaps
         if (model.summary) {
             snapshot->models_.push_back(*std::move(model.summary));
             snapshot->descriptors_.push_back(
-                std::make_shared<const ModelDescriptor>(*std::move(model.descriptor)));
+                std::make_shared<const descriptor::ModelDescriptor>(*std::move(model.descriptor)));
         } else {
             const auto position = previous->find(model.id);
             assert(position.has_value());
@@ -26,7 +26,7 @@ Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snaps
         snapshot->known_.push_back({model.id, model.changed_at});
         snapshot->descriptor_pointers_.push_back(snapshot->descriptors_.back().get());
     }
-    snapshot->preselection_ = Preselection(snapshot->descriptors());
+    snapshot->preselection_ = ranking::Preselection(snapshot->descriptors());
     if (contents->statistics) snapshot->statistics_ = std::move(contents->statistics->statistics);
     return std::shared_ptr<const Snapshot>(std::move(snapshot));
 }

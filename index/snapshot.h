@@ -28,11 +28,11 @@ public:
     /// In the order of their ids.
     [[nodiscard]] const std::vector<ModelSummary>& models() const { return models_; }
     /// As long as `models()`, in the same order.
-    [[nodiscard]] DescriptorSpan descriptors() const { return descriptor_pointers_; }
+    [[nodiscard]] ranking::DescriptorSpan descriptors() const { return descriptor_pointers_; }
     /// Of `descriptors()`.
-    [[nodiscard]] const Preselection& preselection() const { return preselection_; }
+    [[nodiscard]] const ranking::Preselection& preselection() const { return preselection_; }
     /// Empty in an index that has none yet; perhaps of an earlier revision, see `state`.
-    [[nodiscard]] const CollectionStatistics& statistics() const { return statistics_; }
+    [[nodiscard]] const ranking::CollectionStatistics& statistics() const { return statistics_; }
     /// Position of a model in `models()`; none when it is not there.
     [[nodiscard]] std::optional<std::size_t> find(ModelId id) const;
 
@@ -42,10 +42,10 @@ private:
     CollectionState state_;
     std::vector<ModelSummary> models_;
     std::vector<KnownModel> known_;
-    std::vector<std::shared_ptr<const ModelDescriptor>> descriptors_;
-    std::vector<const ModelDescriptor*> descriptor_pointers_;
-    Preselection preselection_;
-    CollectionStatistics statistics_;
+    std::vector<std::shared_ptr<const descriptor::ModelDescriptor>> descriptors_;
+    std::vector<const descriptor::ModelDescriptor*> descriptor_pointers_;
+    ranking::Preselection preselection_;
+    ranking::CollectionStatistics statistics_;
 };
 
 }  // namespace ossuary::index

@@ -71,7 +71,7 @@ Result<IndexParameters> read_parameters(Connection& connection, const fs::path& 
         const std::string name = query.text(0);
         const std::string value = query.text(1);
         if (name == "thinning") {
-            const auto method = parse_thinning_method(value);
+            const auto method = skeleton::parse_thinning_method(value);
             if (!method) return damaged("thinning \"" + value + "\" is not known");
             parameters.thinning = *method;
         } else if (name == "resolution" || name == "pipeline") {

@@ -80,7 +80,7 @@ struct ModelPage {
 
 struct StoredDescriptor {
     ModelId id = 0;
-    ModelDescriptor descriptor;  ///< with its derived matching data
+    descriptor::ModelDescriptor descriptor;  ///< with its derived matching data
 };
 /// A model as a reader has it: at which revision it last changed.
 struct KnownModel {
@@ -93,7 +93,7 @@ struct StoredSignature {
 };
 /// The collection's statistics and the revision that they were made at.
 struct StoredStatistics {
-    CollectionStatistics statistics;
+    ranking::CollectionStatistics statistics;
     Revision revision = 0;
 };
 
@@ -107,8 +107,8 @@ struct StoreContents {
     struct Model {
         ModelId id = 0;
         Revision changed_at = 0;
-        std::optional<ModelSummary> summary;        ///< none = as known
-        std::optional<ModelDescriptor> descriptor;  ///< none = as known
+        std::optional<ModelSummary> summary;                    ///< none = as known
+        std::optional<descriptor::ModelDescriptor> descriptor;  ///< none = as known
     };
     CollectionState state;
     std::vector<Model> models;  ///< in the order of ids
@@ -118,14 +118,14 @@ struct StoreContents {
 /// Names one cached evaluation.
 struct EvaluationKey {
     Revision revision = 0;
-    RankerKind ranker = RankerKind::kHybrid;
+    ranking::RankerKind ranker = ranking::RankerKind::kHybrid;
     bool rerank = false;
     double pose = 0.0;
     std::string collection_hash;  ///< of the evaluated ids and their classes, 32 hex digits
 };
 struct StoredEvaluation {
     EvaluationKey key;
-    RetrievalReport report;
+    ranking::RetrievalReport report;
     std::string computed_at;  ///< ISO 8601, UTC
 };
 
@@ -210,12 +210,12 @@ public:
     // What is computed over the whole collection.
 
     Result<std::optional<StoredStatistics>> statistics();
-    Result<void> put_statistics(const CollectionStatistics& statistics, Revision revision);
+    Result<void> put_statistics(const ranking::CollectionStatistics& statistics, Revision revision);
     Result<std::optional<StoredEvaluation>> evaluation(const EvaluationKey& key);
     /// Those of the current revision, newest first.
     Result<std::vector<StoredEvaluation>> evaluations();
     /// Keeps the evaluation and drops those of earlier revisions.
-    Result<void> put_evaluation(const EvaluationKey& key, const RetrievalReport& report);
+    Result<void> put_evaluation(const EvaluationKey& key, const ranking::RetrievalReport& report);
 
     /// Reads everything: SQLite's own checks, every blob, indices, hashes, cross references.
     Result<VerifyReport> verify();

@@ -16,7 +16,8 @@ Result<std::optional<StoredStatistics>> Store::statistics() {
     });
 }
 
-Result<void> Store::put_statistics(const CollectionStatistics& statistics, Revision revision) {
+Result<void> Store::put_statistics(const ranking::CollectionStatistics& statistics,
+                                   Revision revision) {
     return impl_->locked([&]() -> Result<void> {
         const std::string blob = encode_statistics(statistics);
         Query query(impl_->statement(
@@ -50,7 +51,7 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
             "FROM evaluations WHERE revision = (SELECT revision FROM state) "
             "ORDER BY computed_at DESC, ranker, rerank, pose, collection_hash"));
         while (query.step()) {
-            const auto ranker = parse_ranker(query.text(1));
+            const auto ranker = ranking::parse_ranker(query.text(1));
             if (!ranker) return Error{ErrorCode::kIndexCorrupt, ranker.error().message};
             auto report = decode_report(query.blob(5));
             if (!report) return report.error();
@@ -63,7 +64,8 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
     });
 }
 
-Result<void> Store::put_evaluation(const EvaluationKey& key, const RetrievalReport& report) {
+Result<void> Store::put_evaluation(const EvaluationKey& key,
+                                   const ranking::RetrievalReport& report) {
     return impl_->locked([&]() -> Result<void> {
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         Query(impl_->statement("DELETE FROM evaluations WHERE revision < "

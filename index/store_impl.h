@@ -49,8 +49,9 @@ Result<ModelSummary> summary_from(const Query& query);
 std::string select_summaries(std::string_view rest);
 
 /// A model's descriptor from the three blobs, with its derived data. Errors: index_corrupt.
-Result<ModelDescriptor> descriptor_from(std::string_view skeleton, std::string_view globals,
-                                        std::string_view signature);
+Result<descriptor::ModelDescriptor> descriptor_from(std::string_view skeleton,
+                                                    std::string_view globals,
+                                                    std::string_view signature);
 
 /// The revisions that a reader follows. Errors: index_corrupt.
 Result<CollectionState> read_state(Store::Impl& impl);

@@ -66,9 +66,10 @@ Result<ModelSummary> summary_from(const Query& query) {
     return summary;
 }
 
-Result<ModelDescriptor> descriptor_from(std::string_view skeleton, std::string_view globals,
-                                        std::string_view signature) {
-    ModelDescriptor descriptor;
+Result<descriptor::ModelDescriptor> descriptor_from(std::string_view skeleton,
+                                                    std::string_view globals,
+                                                    std::string_view signature) {
+    descriptor::ModelDescriptor descriptor;
     auto decoded_skeleton = decode_descriptor(skeleton);
     if (!decoded_skeleton) return decoded_skeleton.error();
     auto decoded_globals = decode_globals(globals);
@@ -78,7 +79,7 @@ Result<ModelDescriptor> descriptor_from(std::string_view skeleton, std::string_v
     descriptor.skeleton = *std::move(decoded_skeleton);
     descriptor.globals = *std::move(decoded_globals);
     descriptor.signature = *std::move(decoded_signature);
-    derive_matching_data(descriptor.skeleton);
+    matching::derive_matching_data(descriptor.skeleton);
     return descriptor;
 }
 

@@ -113,7 +113,7 @@ private:
     }
     void check_parts(const std::string& subject, const ModelSummary& summary) {
         DescriptorShape shape;
-        SkeletonDescriptor descriptor;
+        matching::SkeletonDescriptor descriptor;
         Query blobs(impl_.statement("SELECT skeleton, globals FROM descriptors WHERE model = ?"));
         if (!blobs.bind(summary.id).step()) {
             find(subject, "no descriptor");
@@ -141,7 +141,7 @@ private:
         check_segments(subject, summary);
     }
     void check_skeleton(const std::string& subject, const ModelSummary& summary,
-                        const SkeletonDescriptor& descriptor) {
+                        const matching::SkeletonDescriptor& descriptor) {
         Query blob(impl_.statement("SELECT skeleton FROM skeletons WHERE model = ?"));
         if (!blob.bind(summary.id).step()) {
             find(subject, "no skeleton");
@@ -163,7 +163,7 @@ private:
         rows.bind(summary.id);
         for (; rows.step(); ++next) {
             if (next >= skeleton->branches.size()) continue;
-            const SkeletonGraph::Branch& branch = skeleton->branches[next];
+            const skeleton::SkeletonGraph::Branch& branch = skeleton->branches[next];
             if (rows.integer(0) != static_cast<std::int64_t>(next) || rows.integer(1) != branch.a ||
                 rows.integer(2) != branch.b || rows.real(4) != branch.length() ||
                 rows.text(3) != descriptor.branches[next].chain_code) {
@@ -238,7 +238,7 @@ private:
         Query evaluations(impl_.statement("SELECT ranker, report FROM evaluations"));
         while (evaluations.step()) {
             const std::string subject = "evaluation of " + evaluations.text(0);
-            if (!parse_ranker(evaluations.text(0))) find(subject, "no such ranker");
+            if (!ranking::parse_ranker(evaluations.text(0))) find(subject, "no such ranker");
             (void)decoded(subject, decode_report(evaluations.blob(1)));
         }
     }

@@ -166,7 +166,7 @@ void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& en
             .run();
     }
     for (std::size_t i = 0; i < model.skeleton.branches.size(); ++i) {
-        const SkeletonGraph::Branch& branch = model.skeleton.branches[i];
+        const skeleton::SkeletonGraph::Branch& branch = model.skeleton.branches[i];
         query(
             "INSERT INTO branches (model, branch, node_a, node_b, length, chain_code) "
             "VALUES (?, ?, ?, ?, ?, ?)")

@@ -41,7 +41,7 @@ Evaluations::Evaluations(Compute compute, const Limits& limits, Log& log)
 Evaluations::~Evaluations() = default;
 
 std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snapshot,
-                                                     const RankOptions& options) {
+                                                     const ranking::RankOptions& options) {
     std::lock_guard lock(mutex_);
     const auto found = results_.find({snapshot.revision(), options.ranker, options.rerank});
     if (found == results_.end()) return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snap
 }
 
 std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snapshot,
-                                                            const RankOptions& options,
+                                                            const ranking::RankOptions& options,
                                                             std::stop_token stop) {
     using Answer = Result<Shared>;
     const Evaluable found = evaluable(*snapshot);
@@ -81,7 +81,7 @@ std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snap
 }
 
 std::shared_ptr<Evaluations::Task> Evaluations::task_for(const Key& key, const Snapshot& snapshot,
-                                                         const RankOptions& options) {
+                                                         const ranking::RankOptions& options) {
     for (const auto& task : tasks_) {
         if (task->key == key) return task;
     }

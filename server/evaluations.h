@@ -47,26 +47,26 @@ public:
 
     /// Errors: evaluation_not_found, cancelled when `stop` is requested first, those of `compute`.
     /// What failed is not kept: the next call tries again. None when too many wait.
-    std::optional<Result<Shared>> get(const Snapshot& snapshot, const RankOptions& options,
+    std::optional<Result<Shared>> get(const Snapshot& snapshot, const ranking::RankOptions& options,
                                       std::stop_token stop);
     /// What `get` has at hand for this revision; none where it would have to compute.
     [[nodiscard]] std::optional<Shared> peek(const index::Snapshot& snapshot,
-                                             const RankOptions& options);
+                                             const ranking::RankOptions& options);
     [[nodiscard]] std::size_t max_models() const { return limits_.models; }
 
 private:
-    using Key = std::tuple<index::Revision, RankerKind, bool>;
+    using Key = std::tuple<index::Revision, ranking::RankerKind, bool>;
     struct Task {
         Key key;
         Snapshot snapshot;
-        RankOptions options;
+        ranking::RankOptions options;
         std::size_t waiting = 0;
         std::optional<Result<Shared>> outcome;
     };
     void work(std::stop_token stop);
     Result<Shared> compute(const Task& task, std::stop_token stop);
     std::shared_ptr<Task> task_for(const Key& key, const Snapshot& snapshot,
-                                   const RankOptions& options);
+                                   const ranking::RankOptions& options);
 
     const Compute compute_;
     const Limits limits_;

@@ -106,7 +106,11 @@ void HttpLoop::rest_from_accepting() {
 }
 
 void HttpLoop::open(int socket) {
-    const bool room = shared_.connections < shared_.options.max_connections || make_room();
+    bool room = shared_.connections < shared_.options.max_connections;
+    if (!room) {
+        take_back();  // those that have just been answered have the least claim
+        room = make_room();
+    }
     try {
         entries_.emplace_back(shared_, socket);
     } catch (const std::exception&) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "server/trim.h"
+
 namespace ossuary::server {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr std::size_t kMaxPartHeader = 4096;
 
 tl::unexpected<Problem> refuse(std::string detail) {
     return tl::unexpected<Problem>(problem(RequestFault::kMultipartInvalid, std::move(detail)));
-}
-
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
 }
 
 /// The parameters after the first `;` of a header value: name=value or name="value".

@@ -128,13 +128,13 @@ std::optional<Problem> ParameterReader::finish() const {
     return std::nullopt;
 }
 
-RankOptions read_rank_options(ParameterReader& reader, bool with_rerank) {
-    RankOptions options;
+ranking::RankOptions read_rank_options(ParameterReader& reader, bool with_rerank) {
+    ranking::RankOptions options;
     options.jobs = 0;
     std::vector<std::string_view> names;
-    for (const RankerKind kind : kAllRankers) names.push_back(to_string(kind));
+    for (const ranking::RankerKind kind : ranking::kAllRankers) names.push_back(to_string(kind));
     if (const auto name = reader.choice("ranker", names)) {
-        if (const auto kind = parse_ranker(*name)) options.ranker = *kind;
+        if (const auto kind = ranking::parse_ranker(*name)) options.ranker = *kind;
     }
     options.pose = reader.number("pose", 0.0, 1.0).value_or(options.pose);
     if (with_rerank) options.rerank = reader.boolean("rerank").value_or(options.rerank);

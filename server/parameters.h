@@ -43,7 +43,7 @@ private:
 };
 
 /// `ranker`, `pose`, `part` and, where allowed, `rerank`.
-RankOptions read_rank_options(ParameterReader& reader, bool with_rerank);
+ranking::RankOptions read_rank_options(ParameterReader& reader, bool with_rerank);
 
 /// `limit`, `class` and the above.
 index::SearchOptions read_search_options(ParameterReader& reader);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <optional>
 
+#include "server/trim.h"
+
 namespace ossuary::server {
 namespace {
 
@@ -24,12 +26,6 @@ bool is_token(std::string_view text) {
         return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
                kOthers.find(c) != std::string_view::npos;
     });
-}
-
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-    return text;
 }
 
 int hex_digit(char c) {

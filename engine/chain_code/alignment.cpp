@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 namespace {
 
 constexpr double kLargestPathCost = 32000.0;  // leaves room for one more step in 16 bits
@@ -64,5 +63,4 @@ float alignment_cost(std::span<const DirectionStep> s, std::span<const Direction
     return static_cast<float>(row[p.size()] / (costs.unit() * longer));
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

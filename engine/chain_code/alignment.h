@@ -6,8 +6,7 @@
 
 #include "engine/chain_code/direction_code.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 struct AlignmentOptions {
     double direction_weight = 0.15;  ///< times min(1, 1 - cos of the angle between directions)
@@ -62,5 +61,4 @@ private:
 [[nodiscard]] float alignment_cost(std::span<const DirectionStep> s,
                                    std::span<const DirectionStep> p, const AlignmentCosts& costs);
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -5,8 +5,7 @@
 #include <cassert>
 #include <numeric>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 namespace {
 
 constexpr std::size_t kLanes = CodeBatch::kLanes;
@@ -140,5 +139,4 @@ void BatchAligner::align(std::span<const DirectionStep> code, std::span<float> r
     }
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -6,8 +6,7 @@
 
 #include "engine/chain_code/alignment.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 /// Direction codes laid out so that one code is aligned with eight of them at a time: groups of
 /// eight codes of similar length, step by step side by side.
@@ -67,5 +66,4 @@ private:
     std::vector<std::int16_t> ends_;  // last row of the group at hand
 };
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 namespace {
 
 constexpr double kSmallestRadius = 0.001;
@@ -111,5 +110,4 @@ std::vector<DirectionStep> direction_code(std::span<const Vec3f> points,
     return steps;
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -7,8 +7,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 /// The 26 directions to a voxel's neighbours, as unit vectors, in the order of (dx, dy, dz) from
 /// (-1, -1, -1) to (1, 1, 1) with dx slowest and the centre left out.
@@ -44,5 +43,4 @@ struct DirectionStep {
 [[nodiscard]] std::vector<DirectionStep> direction_code(std::span<const Vec3f> points,
                                                         std::span<const float> radii);
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

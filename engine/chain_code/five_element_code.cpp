@@ -2,8 +2,7 @@
 
 #include <cassert>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 char chain_element(const Vec3i& b, const Vec3i& c, const Vec3i& d) {
     assert(c.cwiseAbs().sum() == 1 && d.cwiseAbs().sum() == 1 && d != -c);
@@ -71,5 +70,4 @@ Result<std::vector<Vec3i>> decode_five_element_code(std::string_view code) {
     return path;
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -8,8 +8,7 @@
 #include "engine/core/geometry.h"
 #include "engine/core/result.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 /// The descriptor of eq. 3.5 for the step `d` after the two preceding differing directions `b`,
 /// then `c`: '0' straight on, '1' d = b x c, '2' d = b, '3' d = -(b x c), '4' d = -b. While the
@@ -27,5 +26,4 @@ inline namespace chain_code {
 /// Errors: invalid_argument for a character that is not '0'-'4'.
 Result<std::vector<Vec3i>> decode_five_element_code(std::string_view code);
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

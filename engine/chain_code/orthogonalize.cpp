@@ -5,8 +5,7 @@
 
 #include "engine/chain_code/five_element_code.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 namespace {
 
 Vec3i voxel_of(const Vec3& point) {
@@ -103,5 +102,4 @@ std::vector<Vec3i> orthogonalize(std::span<const Vec3> polyline) {
     return std::move(walk.path);
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -5,8 +5,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 /// A branch as a path over voxels in which each step goes to a face neighbour (thesis sec. 3.3.2,
 /// "orthogonalization"): the voxels that the branch's points lie in, joined by unit steps. Where
@@ -18,5 +17,4 @@ inline namespace chain_code {
 ///         branch turns back on itself there
 [[nodiscard]] std::vector<Vec3i> orthogonalize(std::span<const Vec3> polyline);
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

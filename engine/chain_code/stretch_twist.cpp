@@ -2,8 +2,7 @@
 
 #include <utility>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 double StretchTwist::distance() const {
     const std::size_t changes = twists + stretches;
@@ -31,5 +30,4 @@ StretchTwist stretch_twist(std::string_view s, std::string_view p) {
     return result;
 }
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

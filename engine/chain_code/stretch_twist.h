@@ -3,8 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace ossuary {
-inline namespace chain_code {
+namespace ossuary::chain_code {
 
 /// What it takes to turn the shorter of two chain codes into the longer (thesis sec. 3.3.2).
 struct StretchTwist {
@@ -22,5 +21,4 @@ struct StretchTwist {
 /// that differ are twisted. Symmetric in its arguments.
 [[nodiscard]] StretchTwist stretch_twist(std::string_view s, std::string_view p);
 
-}  // namespace chain_code
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 // In the order of PairFeature. On the ten classes, each class judged by weights that were fitted
@@ -57,5 +56,4 @@ std::vector<float> probability_together(const PatchPairs& pairs) {
     return together;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

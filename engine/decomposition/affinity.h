@@ -4,8 +4,7 @@
 
 #include "engine/decomposition/pair_features.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// The probability that people put the two patches into one part, for each pair of patches: a
 /// logistic function of their features. Its weights were fitted to the human segmentations of the
@@ -13,5 +12,4 @@ inline namespace decomposition {
 /// nothing of classes, so that the others tell how far they carry.
 std::vector<float> probability_together(const PatchPairs& pairs);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -8,8 +8,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr std::size_t kFirstLook = 16;
@@ -39,10 +38,10 @@ struct BranchMapping::Tree {
     Index index;
 };
 
-BranchMapping::BranchMapping(const SkeletonGraph& skeleton) {
+BranchMapping::BranchMapping(const skeleton::SkeletonGraph& skeleton) {
     std::vector<bool> node_taken(skeleton.nodes.size(), false);
     for (std::uint32_t b = 0; b < skeleton.branches.size(); ++b) {
-        const SkeletonGraph::Branch& branch = skeleton.branches[b];
+        const skeleton::SkeletonGraph::Branch& branch = skeleton.branches[b];
         for (std::size_t k = 0; k < branch.points.size(); ++k) {
             const bool is_end = k == 0 || k + 1 == branch.points.size();
             if (is_end) {
@@ -91,5 +90,4 @@ std::uint32_t BranchMapping::branch_of(const Vec3& point, const Vec3& normal) co
     return branches_[none ? nearest[0] : best.vertex];
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

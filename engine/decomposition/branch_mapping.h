@@ -7,8 +7,7 @@
 #include "engine/core/geometry.h"
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// Finds the branch of a skeleton that a point of the surface belongs to (thesis sec. 3.4.1): with
 /// n_i the vector from a skeleton vertex to the point, n_j the surface's normal there and d_p the
@@ -21,7 +20,7 @@ class BranchMapping {
 public:
     /// @param skeleton  in the units of the points; nodes belong to the first branch that ends
     /// there
-    explicit BranchMapping(const SkeletonGraph& skeleton);
+    explicit BranchMapping(const skeleton::SkeletonGraph& skeleton);
     ~BranchMapping();
     BranchMapping(const BranchMapping&) = delete;
     BranchMapping& operator=(const BranchMapping&) = delete;
@@ -36,5 +35,4 @@ private:
     std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

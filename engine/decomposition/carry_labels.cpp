@@ -12,8 +12,7 @@
 #include "engine/mesh/vertex_normals.h"
 #include "engine/mesh/weld.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// What a sheet that faces the other way counts as farther, in parts of the bounding box's
@@ -24,15 +23,16 @@ namespace {
 /// the mesh's triangles, change nothing in the third digit for three times the time.
 constexpr double kTurnedDistance = 0.002;
 
-Vec3 center_of(const TriangleMesh& mesh, std::size_t triangle) {
+Vec3 center_of(const mesh::TriangleMesh& mesh, std::size_t triangle) {
     const auto [a, b, c] = mesh.corners(triangle);
     return (a + b + c) / 3.0;
 }
 
 /// The triangle of `mesh` that each triangle of `copy` is nearest to.
-std::vector<std::uint32_t> nearest_triangles(const TriangleMesh& mesh, const TriangleMesh& copy) {
-    const NearestTriangle nearest(mesh, kTurnedDistance * measure(mesh).diagonal);
-    const std::vector<Vec3> normals = triangle_normals(copy);
+std::vector<std::uint32_t> nearest_triangles(const mesh::TriangleMesh& mesh,
+                                             const mesh::TriangleMesh& copy) {
+    const mesh::NearestTriangle nearest(mesh, kTurnedDistance * mesh::measure(mesh).diagonal);
+    const std::vector<Vec3> normals = mesh::triangle_normals(copy);
     std::vector<std::uint32_t> found;
     found.reserve(normals.size());
     for (std::size_t t = 0; t < normals.size(); ++t) {
@@ -42,13 +42,13 @@ std::vector<std::uint32_t> nearest_triangles(const TriangleMesh& mesh, const Tri
 }
 
 /// The largest triangle of each part; the first among equals.
-std::vector<std::uint32_t> largest_triangles(const TriangleMesh& mesh,
+std::vector<std::uint32_t> largest_triangles(const mesh::TriangleMesh& mesh,
                                              const Segmentation& segmentation) {
     std::vector<std::uint32_t> largest(segmentation.parts, 0);
     std::vector<double> areas(segmentation.parts, -1.0);
     for (std::uint32_t t = 0; t < segmentation.labels.size(); ++t) {
         const std::uint32_t part = segmentation.labels[t];
-        const double area = triangle_area(mesh, t);
+        const double area = mesh::triangle_area(mesh, t);
         if (area <= areas[part]) continue;
         areas[part] = area;
         largest[part] = t;
@@ -57,8 +57,8 @@ std::vector<std::uint32_t> largest_triangles(const TriangleMesh& mesh,
 }
 
 /// Gives each part that has no triangle of the copy one of a part that has several.
-void keep_every_part(const TriangleMesh& mesh, const Segmentation& segmentation,
-                     const TriangleMesh& copy, std::vector<std::uint32_t>& labels) {
+void keep_every_part(const mesh::TriangleMesh& mesh, const Segmentation& segmentation,
+                     const mesh::TriangleMesh& copy, std::vector<std::uint32_t>& labels) {
     std::vector<std::size_t> count(segmentation.parts, 0);
     for (const std::uint32_t label : labels) ++count[label];
     if (std::find(count.begin(), count.end(), 0U) == count.end()) return;
@@ -70,7 +70,7 @@ void keep_every_part(const TriangleMesh& mesh, const Segmentation& segmentation,
         std::size_t best = labels.size();
         for (std::size_t t = 0; t < labels.size(); ++t) {
             if (count[labels[t]] < 2) continue;
-            const double distance = (nearest_point_of(copy.corners(t), place) - place).norm();
+            const double distance = (mesh::nearest_point_of(copy.corners(t), place) - place).norm();
             if (distance >= least) continue;
             least = distance;
             best = t;
@@ -84,15 +84,15 @@ void keep_every_part(const TriangleMesh& mesh, const Segmentation& segmentation,
 
 }  // namespace
 
-Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& segmentation,
-                                  const TriangleMesh& copy) {
+Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmentation& segmentation,
+                                  const mesh::TriangleMesh& copy) {
     assert(!mesh.triangles.empty() && segmentation.labels.size() == mesh.triangles.size());
     if (copy.triangles.size() < segmentation.parts) {
         return {ErrorCode::kInvalidArgument,
                 "parts: " + std::to_string(segmentation.parts) + " have no room on " +
                     std::to_string(copy.triangles.size()) + " triangles"};
     }
-    const WeldResult welded = weld(mesh);
+    const mesh::WeldResult welded = mesh::weld(mesh);
     const bool same =
         welded.mesh.triangles == copy.triangles && welded.mesh.vertices == copy.vertices;
     const std::vector<std::uint32_t> sources =
@@ -106,5 +106,4 @@ Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& 
     return carried;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

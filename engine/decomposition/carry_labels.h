@@ -4,8 +4,7 @@
 #include "engine/decomposition/segmentation.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// The parts of a mesh on a coarser copy of it (decimate.h): each triangle of the copy has the part
 /// of the triangle nearest to its centre, of sheets that lie together the one that faces the same
@@ -16,8 +15,7 @@ inline namespace decomposition {
 /// @return  the part of each triangle of `copy`, numbered as in `segmentation`
 /// @pre the mesh has a triangle
 /// Errors: invalid_argument (fewer triangles in the copy than parts).
-Result<Segmentation> carry_labels(const TriangleMesh& mesh, const Segmentation& segmentation,
-                                  const TriangleMesh& copy);
+Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmentation& segmentation,
+                                  const mesh::TriangleMesh& copy);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -5,17 +5,16 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// The mean distance of the surface from its centre of gravity, triangle by triangle.
-double average_radius(const TriangleMesh& mesh) {
-    const Vec3 center = measure(mesh).area_centroid;
+double average_radius(const mesh::TriangleMesh& mesh) {
+    const Vec3 center = mesh::measure(mesh).area_centroid;
     double sum = 0.0, area_sum = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto [a, b, c] = mesh.corners(t);
-        const double area = triangle_area(mesh, t);
+        const double area = mesh::triangle_area(mesh, t);
         sum += area * ((a + b + c) / 3.0 - center).norm();
         area_sum += area;
     }
@@ -24,15 +23,15 @@ double average_radius(const TriangleMesh& mesh) {
 
 }  // namespace
 
-CutDiscrepancy::CutDiscrepancy(const TriangleMesh& mesh)
-    : edges_(build_edge_table(mesh)),
+CutDiscrepancy::CutDiscrepancy(const mesh::TriangleMesh& mesh)
+    : edges_(mesh::build_edge_table(mesh)),
       graph_(mesh, {.cross_edges = false}),
       vertex_count_(mesh.vertices.size()),
       average_radius_(average_radius(mesh)) {}
 
 CutDiscrepancy::Cuts CutDiscrepancy::cuts_of(const Segmentation& segmentation) const {
     std::vector<bool> on_cut(vertex_count_, false);
-    for (const EdgeTable::Edge& edge : edges_.edges) {
+    for (const mesh::EdgeTable::Edge& edge : edges_.edges) {
         const auto sides = edges_.sides_of(edge);
         if (sides.size() < 2) continue;
         const std::uint32_t label = segmentation.labels[sides[0] / 3];
@@ -66,5 +65,4 @@ std::optional<double> CutDiscrepancy::operator()(const Cuts& a, const Cuts& b) c
     return sum / static_cast<double>(count) / average_radius_;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

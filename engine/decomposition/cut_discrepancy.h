@@ -9,8 +9,7 @@
 #include "engine/mesh/geodesics.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// How far the cuts of segmentations of one mesh lie apart, as the Princeton benchmark measures it
 /// (Chen, Golovinskiy and Funkhouser, 2009, sec. 4.1): the mean distance, along the edges of the
@@ -18,7 +17,7 @@ inline namespace decomposition {
 /// together, over the mean distance of the surface from its centre of gravity.
 class CutDiscrepancy {
 public:
-    explicit CutDiscrepancy(const TriangleMesh& mesh);
+    explicit CutDiscrepancy(const mesh::TriangleMesh& mesh);
 
     /// A segmentation's cuts with the distance of every vertex from them.
     struct Cuts {
@@ -32,11 +31,10 @@ public:
     [[nodiscard]] std::optional<double> operator()(const Cuts& a, const Cuts& b) const;
 
 private:
-    EdgeTable edges_;
-    GeodesicGraph graph_;
+    mesh::EdgeTable edges_;
+    mesh::GeodesicGraph graph_;
     std::size_t vertex_count_;
     double average_radius_ = 0.0;  ///< model units
 };
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -14,8 +14,7 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/weld.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr int kResolution = 64;
@@ -45,7 +44,7 @@ std::vector<Decomposition::Part> describe_parts(
         ++part.triangles;
         part.area += surface.areas[t];
         for (const std::uint32_t other : surface.across[t]) {
-            if (other == kNoTriangle || segmentation.labels[other] == label) continue;
+            if (other == mesh::kNoTriangle || segmentation.labels[other] == label) continue;
             part.neighbors.push_back(segmentation.labels[other]);
         }
     }
@@ -107,7 +106,8 @@ Decomposition begin_decomposition(const SurfaceAndSkeleton& model) {
     Decomposition result;
     result.stage_times = model.stage_times;
     result.warnings = model.skeleton.solid.warnings;
-    result.skeleton = to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
+    result.skeleton =
+        skeleton::to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
     return result;
 }
 
@@ -131,29 +131,29 @@ Result<DecompositionMethod> parse_decomposition_method(std::string_view name) {
                  "method: expected evidence or thesis, found '" + std::string(name) + "'"};
 }
 
-SkeletonizeOptions decomposition_skeleton_options() {
-    SkeletonizeOptions options;
+skeleton::SkeletonizeOptions decomposition_skeleton_options() {
+    skeleton::SkeletonizeOptions options;
     options.voxelize.resolution = kResolution;
     return options;
 }
 
-Result<SurfaceAndSkeleton> surface_and_skeleton(const TriangleMesh& mesh,
-                                                const SkeletonizeOptions& options,
+Result<SurfaceAndSkeleton> surface_and_skeleton(const mesh::TriangleMesh& mesh,
+                                                const skeleton::SkeletonizeOptions& options,
                                                 std::stop_token stop) {
-    Result<Skeleton> skeleton = skeletonize(mesh, options, stop);
+    Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(mesh, options, stop);
     if (!skeleton) return skeleton.error();
     SurfaceAndSkeleton model;
     model.skeleton = *std::move(skeleton);
     model.stage_times = model.skeleton.stage_times;
     Stopwatch watch;
-    model.mesh = weld(mesh, {.drop_collapsed = false}).mesh;
+    model.mesh = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
     model.surface = surface_graph(model.mesh);
     model.stage_times.push_back({"surface", watch.lap_ms()});
     return model;
 }
 
-Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh, const DecomposeOptions& options,
-                                        std::stop_token stop) {
+Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
+                                        const DecomposeOptions& options, std::stop_token stop) {
     Result<SurfaceAndSkeleton> model = surface_and_skeleton(mesh, options.skeletonize, stop);
     if (!model) return model.error();
     MeasuredPatches patches{*std::move(model), {}, {}};
@@ -174,7 +174,7 @@ Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh, const Decompos
     return patches;
 }
 
-Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions& options,
+Result<Decomposition> decompose(const mesh::TriangleMesh& mesh, const DecomposeOptions& options,
                                 std::stop_token stop) {
     if (options.parts > kMaxParts) return too_many_parts(options.parts, kMaxParts);
     if (options.method == DecompositionMethod::kThesis) {
@@ -201,10 +201,11 @@ Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions
     return result;
 }
 
-Segmentation face_segmentation(const TriangleMesh& mesh, const Segmentation& triangles) {
+Segmentation face_segmentation(const mesh::TriangleMesh& mesh, const Segmentation& triangles) {
     std::vector<double> areas;
     areas.reserve(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) areas.push_back(triangle_area(mesh, t));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        areas.push_back(mesh::triangle_area(mesh, t));
     const std::vector<std::int32_t> labels(triangles.labels.begin(), triangles.labels.end());
     Segmentation faces{{}, triangles.parts};
     for (const std::int32_t label :
@@ -214,12 +215,11 @@ Segmentation face_segmentation(const TriangleMesh& mesh, const Segmentation& tri
     return faces;
 }
 
-Segmentation triangle_segmentation(const TriangleMesh& mesh, const Segmentation& faces) {
+Segmentation triangle_segmentation(const mesh::TriangleMesh& mesh, const Segmentation& faces) {
     std::vector<std::uint32_t> labels;
     labels.reserve(mesh.triangles.size());
     for (const std::uint32_t face : mesh.face_of_triangle) labels.push_back(faces.labels[face]);
     return dense_segmentation(labels);
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -15,12 +15,11 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeletonize.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// The skeleton that a decomposition asks: coarser than retrieval's, which costs a third of the
 /// time and leaves the Rand index error where it is.
-[[nodiscard]] SkeletonizeOptions decomposition_skeleton_options();
+[[nodiscard]] skeleton::SkeletonizeOptions decomposition_skeleton_options();
 
 enum class DecompositionMethod {
     kEvidence,  ///< ours: patches merged where people would
@@ -36,7 +35,7 @@ struct DecomposeOptions {
     std::size_t parts = 0;
     std::uint64_t seed = 1;     ///< thesis: of the sampled points
     std::size_t patches = 160;  ///< evidence: that parts are made of
-    SkeletonizeOptions skeletonize = decomposition_skeleton_options();
+    skeleton::SkeletonizeOptions skeletonize = decomposition_skeleton_options();
 };
 inline constexpr std::size_t kMaxParts = 100;
 
@@ -49,21 +48,21 @@ struct Decomposition {
     };
     Segmentation segmentation;  ///< the part of each triangle of the mesh
     std::vector<Part> parts;
-    SkeletonGraph skeleton;  ///< refined, in model units
-    std::vector<MeshWarning> warnings;
+    skeleton::SkeletonGraph skeleton;  ///< refined, in model units
+    std::vector<mesh::MeshWarning> warnings;
     StageTimes stage_times;
 };
 
 /// A model's surface and what is inside it.
 struct SurfaceAndSkeleton {
-    TriangleMesh mesh;  ///< welded; the triangles of the input in their order
-    Skeleton skeleton;
+    mesh::TriangleMesh mesh;  ///< welded; the triangles of the input in their order
+    skeleton::Skeleton skeleton;
     SurfaceGraph surface;  ///< of `mesh`
     StageTimes stage_times;
 };
 /// Errors: those of skeletonize.
-Result<SurfaceAndSkeleton> surface_and_skeleton(const TriangleMesh& mesh,
-                                                const SkeletonizeOptions& options,
+Result<SurfaceAndSkeleton> surface_and_skeleton(const mesh::TriangleMesh& mesh,
+                                                const skeleton::SkeletonizeOptions& options,
                                                 std::stop_token stop = {});
 
 /// The same with its patches and all that was measured of them: what decompose decides by.
@@ -72,7 +71,7 @@ struct MeasuredPatches : SurfaceAndSkeleton {
     PatchPairs pairs;
 };
 /// Errors: those of skeletonize.
-Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh,
+Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
                                         const DecomposeOptions& options = {},
                                         std::stop_token stop = {});
 
@@ -85,17 +84,16 @@ Result<MeasuredPatches> measure_patches(const TriangleMesh& mesh,
 /// connected.
 /// Errors: those of skeletonize; invalid_argument (more than kMaxParts parts wanted, more than the
 /// surface has patches, or a number of parts wanted of the thesis' algorithm).
-Result<Decomposition> decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
-                                std::stop_token stop = {});
+Result<Decomposition> decompose(const mesh::TriangleMesh& mesh,
+                                const DecomposeOptions& options = {}, std::stop_token stop = {});
 
 /// The part of each face of the file that the mesh was read from: that of most of the face's area;
 /// part 0 for faces that gave no triangle.
-[[nodiscard]] Segmentation face_segmentation(const TriangleMesh& mesh,
+[[nodiscard]] Segmentation face_segmentation(const mesh::TriangleMesh& mesh,
                                              const Segmentation& triangles);
 
 /// The other way round: each triangle's part is that of its face.
-[[nodiscard]] Segmentation triangle_segmentation(const TriangleMesh& mesh,
+[[nodiscard]] Segmentation triangle_segmentation(const mesh::TriangleMesh& mesh,
                                                  const Segmentation& faces);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -5,8 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr int kMeanShiftSteps = 8;
@@ -112,5 +111,4 @@ void refine_by_curvature(const VertexGraph& surface, std::vector<std::uint32_t>&
     }
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -5,8 +5,7 @@
 
 #include "engine/decomposition/vertex_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 inline constexpr std::uint32_t kUnlabeled = 0xFFFFFFFFU;
 
@@ -28,5 +27,4 @@ struct CurvatureConsistencyOptions {
 void refine_by_curvature(const VertexGraph& surface, std::vector<std::uint32_t>& labels,
                          const CurvatureConsistencyOptions& options = {});
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

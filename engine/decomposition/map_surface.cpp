@@ -6,8 +6,7 @@
 #include "engine/decomposition/flooding.h"
 #include "engine/decomposition/vertex_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// Whether each vertex is among the samples: selection sampling (Knuth, The Art of Computer
@@ -25,7 +24,7 @@ std::vector<bool> choose_samples(std::size_t count, const MapSurfaceOptions& opt
     return chosen;
 }
 
-std::uint32_t label_of(const TriangleMesh::Triangle& triangle,
+std::uint32_t label_of(const mesh::TriangleMesh::Triangle& triangle,
                        const std::vector<std::uint32_t>& labels) {
     const std::uint32_t b = labels[triangle[1]], c = labels[triangle[2]];
     return b == c ? b : labels[triangle[0]];
@@ -33,7 +32,7 @@ std::uint32_t label_of(const TriangleMesh::Triangle& triangle,
 
 }  // namespace
 
-std::vector<std::uint32_t> map_surface(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
+std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
                                        const MapSurfaceOptions& options,
                                        const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::uint32_t>(mesh.triangles.size(), 0);
@@ -60,5 +59,4 @@ std::vector<std::uint32_t> map_surface(const TriangleMesh& mesh, const SkeletonG
     return of_triangle;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -8,8 +8,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 struct MapSurfaceOptions {
     double sampled = 0.2;    ///< the share of the vertices that eq. 3.9 is asked for
@@ -24,9 +23,8 @@ struct MapSurfaceOptions {
 /// @param mesh      vertices told apart by index: weld a soup first
 /// @param skeleton  refined, in the mesh's units; without branches everything maps to 0
 /// @returns the branch of each triangle; without meaning once asked to stop
-std::vector<std::uint32_t> map_surface(const TriangleMesh& mesh, const SkeletonGraph& skeleton,
+std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
                                        const MapSurfaceOptions& options = {},
                                        const std::stop_token& stop = {});
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 void MaximumFlow::add_edge(std::uint32_t a, std::uint32_t b, std::int64_t capacity) {
     if (a == b) return;
@@ -72,5 +71,4 @@ std::vector<bool> MaximumFlow::source_side(std::uint32_t source, std::uint32_t s
     return side;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

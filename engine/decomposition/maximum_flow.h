@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// Minimum cuts of undirected graphs between a source and a sink, by Dinic's algorithm ("Algorithm
 /// for solution of a problem of maximum flow in networks with power estimation", 1970).
@@ -35,5 +34,4 @@ private:
     std::vector<std::uint32_t> queue_;
 };
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -6,8 +6,7 @@
 #include "engine/decomposition/pair_features.h"
 #include "engine/decomposition/segmentation.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// Parts that grow together; tables are count x count and symmetric.
@@ -127,5 +126,4 @@ std::vector<std::uint32_t> merge_patches(const PatchGraph& graph, std::span<cons
     return dense_segmentation(part).labels;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

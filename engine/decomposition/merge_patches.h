@@ -7,8 +7,7 @@
 
 #include "engine/decomposition/patches.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 struct MergePatchesOptions {
     /// The number of parts; 0 leaves it to the evidence.
@@ -25,5 +24,4 @@ struct MergePatchesOptions {
 std::vector<std::uint32_t> merge_patches(const PatchGraph& graph, std::span<const float> together,
                                          const MergePatchesOptions& options = {});
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

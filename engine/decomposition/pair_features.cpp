@@ -8,8 +8,7 @@
 #include "engine/decomposition/skeleton_anchors.h"
 #include "engine/descriptor/shape_diameter.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 const std::array<std::string_view, kPairFeatureCount> kPairFeatureNames = {"thickness_least",
                                                                            "thickness_most",
@@ -67,13 +66,13 @@ struct GridPatches {
 
 /// The shape diameters of a few triangles of each patch, in voxels; the median for each patch.
 std::vector<double> median_diameters(const SurfaceGraph& surface, const PatchGraph& graph,
-                                     const VoxelSolid& solid) {
+                                     const voxel::VoxelSolid& solid) {
     std::vector<std::vector<std::uint32_t>> triangles(graph.size());
     for (std::size_t p = 0; p < graph.size(); ++p) triangles[p].reserve(graph.patches[p].triangles);
     for (std::uint32_t t = 0; t < surface.size(); ++t) {
         if (!surface.normals[t].isZero()) triangles[graph.of_triangle[t]].push_back(t);
     }
-    ShellGraph points;
+    descriptor::ShellGraph points;
     std::vector<std::size_t> owner;
     const Mat3 to_grid = solid.world_from_grid.rotation.transpose();
     for (std::size_t p = 0; p < graph.size(); ++p) {
@@ -85,7 +84,7 @@ std::vector<double> median_diameters(const SurfaceGraph& surface, const PatchGra
             owner.push_back(p);
         }
     }
-    const std::vector<float> diameters = shape_diameters(points, solid.volume);
+    const std::vector<float> diameters = descriptor::shape_diameters(points, solid.volume);
     std::vector<std::vector<float>> found(graph.size());
     for (std::size_t i = 0; i < owner.size(); ++i) found[owner[i]].push_back(diameters[i]);
     std::vector<double> median(graph.size(), 1.0);
@@ -128,8 +127,8 @@ GridPatches lay_into_grid(const PatchGraph& graph, const WorldFromGrid& world_fr
     return grid;
 }
 
-void find_anchors(const GridPatches& grid, const SkeletonSamples& samples, const BitVolume& solid,
-                  double scale_voxels, PatchMeasures& measures) {
+void find_anchors(const GridPatches& grid, const SkeletonSamples& samples,
+                  const voxel::BitVolume& solid, double scale_voxels, PatchMeasures& measures) {
     for (std::size_t p = 0; p < grid.center.size(); ++p) {
         const SkeletonAnchor found =
             anchor(samples, solid, grid.center[p], grid.near[p], grid.normal[p]);
@@ -225,7 +224,8 @@ public:
         set_all(creased, PairFeature::kCreaseResistance, PairFeature::kCreaseResistanceFar);
     }
 
-    void through_the_solid(const GridPatches& grid, const BitVolume& solid, double scale_voxels) {
+    void through_the_solid(const GridPatches& grid, const voxel::BitVolume& solid,
+                           double scale_voxels) {
         each_pair([&](std::size_t i, std::size_t j, auto&& set) {
             const Outside near = outside(solid, grid.near[i], grid.near[j]);
             set(PairFeature::kOutsideMiddle, outside(solid, grid.middle[i], grid.middle[j]).share);
@@ -306,11 +306,11 @@ std::vector<double> mean_distances(const PatchGraph& graph, const PatchTable& ge
 }  // namespace
 
 PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
-                         const Skeleton& skeleton) {
+                         const skeleton::Skeleton& skeleton) {
     if (graph.size() < 2) {
         return {graph.size(), {}, std::vector<std::int32_t>(graph.size(), -1)};
     }
-    const VoxelSolid& solid = skeleton.solid;
+    const voxel::VoxelSolid& solid = skeleton.solid;
     const double scale = std::sqrt(graph.total_area);
     const double scale_voxels = scale / solid.world_from_grid.voxel_size;
     const PatchTable geodesic = least_sums(graph, [&](std::size_t p, const auto& link) {
@@ -336,5 +336,4 @@ PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
     return measuring.take();
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -9,8 +9,7 @@
 #include "engine/decomposition/patches.h"
 #include "engine/skeleton/skeletonize.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// What is measured of two patches to tell whether they belong to one part. Lengths are over the
 /// square root of the area; "log" is the natural logarithm, log1p(x) = log(1 + x).
@@ -69,7 +68,6 @@ struct PatchPairs {
 /// Measures every pair of patches. About 12,000 pairs of 160 patches take some 15 ms.
 /// @param skeleton  of the same model, with the solid's volume
 PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
-                         const Skeleton& skeleton);
+                         const skeleton::Skeleton& skeleton);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

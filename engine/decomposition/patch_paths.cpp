@@ -7,8 +7,7 @@
 #include <queue>
 #include <tuple>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
@@ -114,5 +113,4 @@ Resistances resistances(const PatchGraph& graph, const LinkCost& conductance) {
     return result;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -6,8 +6,7 @@
 
 #include "engine/decomposition/patches.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A symmetric table with an entry for each two patches.
 class PatchTable {
@@ -47,5 +46,4 @@ struct Resistances {
 };
 Resistances resistances(const PatchGraph& graph, const LinkCost& conductance);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

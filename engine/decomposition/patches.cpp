@@ -10,8 +10,7 @@
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/sample_surface.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr std::uint32_t kNoPatch = 0xFFFFFFFFU;
@@ -30,7 +29,7 @@ public:
         for (std::size_t t = 0; t < surface.size(); ++t) {
             for (std::size_t side = 0; side < 3; ++side) {
                 const std::uint32_t other = surface.across[t][side];
-                if (other == kNoTriangle) continue;
+                if (other == mesh::kNoTriangle) continue;
                 const double length = (surface.centers[other] - surface.centers[t]).norm();
                 const double turn = static_cast<double>(surface.turns[t][side]);
                 const double bend = turn > 0.0 ? kConcaveCost * turn : -kConvexCost * turn;
@@ -61,7 +60,7 @@ public:
                 if (level_of(distances_[t]) != level) continue;
                 for (std::size_t side = 0; side < 3; ++side) {
                     const std::uint32_t other = surface_.across[t][side];
-                    if (other == kNoTriangle) continue;
+                    if (other == mesh::kNoTriangle) continue;
                     const float distance = distances_[t] + costs_[t][side];
                     if (distance >= distances_[other]) continue;
                     distances_[other] = distance;
@@ -108,10 +107,10 @@ private:
 };
 
 /// Spread over the area, and at least one for each of the larger pieces.
-std::vector<std::uint32_t> first_seeds(const TriangleMesh& mesh, const SurfaceGraph& surface,
+std::vector<std::uint32_t> first_seeds(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
                                        std::size_t count) {
     std::vector<std::uint32_t> seeds;
-    for (const SurfaceSample& sample : sample_surface(mesh, {.count = count})) {
+    for (const mesh::SurfaceSample& sample : mesh::sample_surface(mesh, {.count = count})) {
         if (seeds.empty() || seeds.back() != sample.triangle) seeds.push_back(sample.triangle);
     }
     const SurfacePieces pieces = surface_pieces(surface);
@@ -185,7 +184,8 @@ void add_links(const SurfaceGraph& surface, PatchGraph& graph) {
     for (std::size_t t = 0; t < surface.size(); ++t) {
         for (std::size_t side = 0; side < 3; ++side) {
             const std::uint32_t other = surface.across[t][side];
-            if (other == kNoTriangle || graph.of_triangle[other] == graph.of_triangle[t]) continue;
+            if (other == mesh::kNoTriangle || graph.of_triangle[other] == graph.of_triangle[t])
+                continue;
             PatchGraph::Link& to = link(graph.of_triangle[t], graph.of_triangle[other]);
             const double length = static_cast<double>(surface.side_lengths[t][side]);
             to.border += length;
@@ -205,7 +205,7 @@ void add_links(const SurfaceGraph& surface, PatchGraph& graph) {
 /// together.
 void link_pieces(PatchGraph& graph) {
     const auto count = static_cast<std::uint32_t>(graph.size());
-    DisjointSets sets(count);
+    mesh::DisjointSets sets(count);
     std::uint32_t pieces = count;
     const auto unite = [&](std::uint32_t a, std::uint32_t b) {
         if (sets.find(a) == sets.find(b)) return false;
@@ -241,7 +241,8 @@ void link_pieces(PatchGraph& graph) {
 
 }  // namespace
 
-PatchGraph patch_graph(const TriangleMesh& mesh, const SurfaceGraph& surface, std::size_t count) {
+PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
+                       std::size_t count) {
     PatchGraph graph;
     if (surface.size() == 0) return graph;
     PatchGrowth growth(surface, count);
@@ -258,5 +259,4 @@ PatchGraph patch_graph(const TriangleMesh& mesh, const SurfaceGraph& surface, st
     return graph;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -8,8 +8,7 @@
 #include "engine/decomposition/surface_graph.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A surface cut into many small patches of like area whose borders follow concave creases, and
 /// which patch touches which.
@@ -41,7 +40,7 @@ struct PatchGraph {
 /// thousandth of the area join the patch nearest to them, and the nearest patches of larger pieces
 /// are linked, so that the graph is connected.
 /// @param mesh  the mesh of `surface`
-PatchGraph patch_graph(const TriangleMesh& mesh, const SurfaceGraph& surface, std::size_t count);
+PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
+                       std::size_t count);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

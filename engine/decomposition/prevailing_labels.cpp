@@ -3,8 +3,7 @@
 #include <cassert>
 #include <map>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 std::vector<std::int32_t> prevailing_labels(std::size_t groups,
                                             std::span<const std::uint32_t> group_of,
@@ -27,5 +26,4 @@ std::vector<std::int32_t> prevailing_labels(std::size_t groups,
     return labels;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

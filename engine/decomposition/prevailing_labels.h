@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// For each group of triangles the label that most of its area has, the lowest among equals; -1
 /// where none of them has a label.
@@ -16,5 +15,4 @@ std::vector<std::int32_t> prevailing_labels(std::size_t groups,
                                             std::span<const std::int32_t> label_of,
                                             std::span<const double> area);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

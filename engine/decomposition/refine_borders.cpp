@@ -9,8 +9,7 @@
 #include "engine/decomposition/maximum_flow.h"
 #include "engine/mesh/edge_table.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
@@ -23,7 +22,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_parts(
     std::vector<std::pair<std::uint32_t, std::uint32_t>> touching;
     for (std::size_t t = 0; t < surface.size(); ++t) {
         for (const std::uint32_t other : surface.across[t]) {
-            if (other == kNoTriangle || labels[t] >= labels[other]) continue;
+            if (other == mesh::kNoTriangle || labels[t] >= labels[other]) continue;
             touching.emplace_back(labels[t], labels[other]);
         }
     }
@@ -51,7 +50,7 @@ public:
         for (const std::uint32_t t : band_) {
             for (std::size_t side = 0; side < 3; ++side) {
                 const std::uint32_t other = surface_.across[t][side];
-                if (other == kNoTriangle) continue;
+                if (other == mesh::kNoTriangle) continue;
                 if (node_[other] != kOutside) {
                     if (t < other) flow.add_edge(node_[t], node_[other], capacity(t, side));
                 } else if (labels_[other] == a || labels_[other] == b) {
@@ -81,7 +80,7 @@ private:
         for (std::uint32_t t = 0; t < surface_.size(); ++t) {
             if (labels_[t] != a && labels_[t] != b) continue;
             for (const std::uint32_t other : surface_.across[t]) {
-                if (other == kNoTriangle || labels_[other] == labels_[t]) continue;
+                if (other == mesh::kNoTriangle || labels_[other] == labels_[t]) continue;
                 if (labels_[other] == a || labels_[other] == b) {
                     push(0.0, t);
                     break;
@@ -96,7 +95,7 @@ private:
             node_[t] = static_cast<std::uint32_t>(band_.size()) + 2;
             band_.push_back(t);
             for (const std::uint32_t other : surface_.across[t]) {
-                if (other == kNoTriangle || node_[other] != kOutside) continue;
+                if (other == mesh::kNoTriangle || node_[other] != kOutside) continue;
                 if (labels_[other] != labels_[t]) continue;
                 const double step = (surface_.centers[other] - surface_.centers[t]).norm();
                 if (step - negative <= options_.reach * scale_) push(step - negative, other);
@@ -127,5 +126,4 @@ void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& lab
     for (const auto& [a, b] : touching_parts(surface, labels)) refinement.between(a, b);
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

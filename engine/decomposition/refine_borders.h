@@ -5,8 +5,7 @@
 
 #include "engine/decomposition/surface_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 struct RefineBordersOptions {
     /// How far from where it was a border may move, in parts of the square root of the area.
@@ -24,5 +23,4 @@ struct RefineBordersOptions {
 void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
                     const RefineBordersOptions& options = {});
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -7,8 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// Finds which vertices hang together within one pair of parts.
@@ -57,22 +56,22 @@ struct Candidate {
 
 }  // namespace
 
-std::vector<Cut> find_cuts(const TriangleMesh& mesh, const EdgeTable& edges,
+std::vector<Cut> find_cuts(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& edges,
                            const Segmentation& segmentation) {
-    std::map<PartPair, std::vector<const EdgeTable::Edge*>> between;
-    for (const EdgeTable::Edge& edge : edges.edges) {
+    std::map<PartPair, std::vector<const mesh::EdgeTable::Edge*>> between;
+    for (const mesh::EdgeTable::Edge& edge : edges.edges) {
         const auto sides = edges.sides_of(edge);
         if (sides.size() != 2) continue;
         const auto [low, high] =
             std::minmax({segmentation.labels[sides[0] / 3], segmentation.labels[sides[1] / 3]});
         if (low != high) between[{low, high}].push_back(&edge);
     }
-    std::vector<std::pair<const EdgeTable::Edge*, Cut>> found;
+    std::vector<std::pair<const mesh::EdgeTable::Edge*, Cut>> found;
     for (const auto& [parts, members] : between) {
         VertexSets sets;
-        for (const EdgeTable::Edge* edge : members) sets.unite(edge->a, edge->b);
+        for (const mesh::EdgeTable::Edge* edge : members) sets.unite(edge->a, edge->b);
         std::map<std::uint32_t, std::size_t> cut_of_set;
-        for (const EdgeTable::Edge* edge : members) {
+        for (const mesh::EdgeTable::Edge* edge : members) {
             const auto [entry, is_new] = cut_of_set.try_emplace(sets.root(edge->a), found.size());
             if (is_new) found.emplace_back(edge, Cut{});
             Cut& cut = found[entry->second].second;
@@ -121,5 +120,4 @@ RegisteredCuts register_cuts(const std::vector<Cut>& reference, const std::vecto
     return result;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -7,8 +7,7 @@
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A closed line between two parts: connected edges of the mesh with the same two parts beside
 /// them.
@@ -22,7 +21,7 @@ struct Cut {
 /// @param edges  of the mesh
 /// @param segmentation  a label for each triangle
 /// @returns the cuts in the order of their first edge
-std::vector<Cut> find_cuts(const TriangleMesh& mesh, const EdgeTable& edges,
+std::vector<Cut> find_cuts(const mesh::TriangleMesh& mesh, const mesh::EdgeTable& edges,
                            const Segmentation& segmentation);
 
 /// How far the cuts of a segmentation are from those of a reference (thesis sec. 4.3), in the
@@ -42,5 +41,4 @@ struct RegisteredCuts {
 /// where it adds less to the measure than the cut would that is left without one.
 RegisteredCuts register_cuts(const std::vector<Cut>& reference, const std::vector<Cut>& made);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -7,14 +7,13 @@
 #include "engine/decomposition/branch_mapping.h"
 #include "engine/decomposition/vertex_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 using Spread = std::vector<std::pair<std::uint16_t, float>>;  // joint and weight, by joint
 
 /// Adds the joints, each after its parent; returns the joint of each branch.
-std::vector<std::uint16_t> add_joints(const SkeletonGraph& skeleton, Rig& rig) {
+std::vector<std::uint16_t> add_joints(const skeleton::SkeletonGraph& skeleton, Rig& rig) {
     std::vector<std::uint16_t> of_branch(skeleton.branches.size(), 0);
     std::vector<bool> has_joint(skeleton.branches.size(), false);
     std::vector<bool> reached(skeleton.nodes.size(), false);
@@ -25,7 +24,7 @@ std::vector<std::uint16_t> add_joints(const SkeletonGraph& skeleton, Rig& rig) {
             const auto [node, joint] = open[next];
             bool is_tip = node != root;
             for (std::size_t b = 0; b < skeleton.branches.size(); ++b) {
-                const SkeletonGraph::Branch& branch = skeleton.branches[b];
+                const skeleton::SkeletonGraph::Branch& branch = skeleton.branches[b];
                 if (has_joint[b] || (branch.a != node && branch.b != node)) continue;
                 has_joint[b] = true;
                 is_tip = false;
@@ -92,7 +91,7 @@ Rig::Weights largest(Spread spread) {
 
 }  // namespace
 
-Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smoothing,
+Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton, int smoothing,
              const std::stop_token& stop) {
     Rig rig;
     const std::vector<std::uint16_t> joint_of_branch = add_joints(skeleton, rig);
@@ -111,5 +110,4 @@ Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smooth
     return rig;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -9,8 +9,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A model that can be moved by its skeleton (thesis sec. 4.1.2): a tree of joints, and how much
 /// each vertex follows which of them.
@@ -40,8 +39,7 @@ inline constexpr int kRigSmoothing = 12;
 /// surface, `smoothing` times half to the neighbours, and the four largest kept.
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint
 /// @param stop      once asked to stop, it returns soon, without weights
-Rig make_rig(const TriangleMesh& mesh, const SkeletonGraph& skeleton, int smoothing = kRigSmoothing,
+Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton, int smoothing = kRigSmoothing,
              const std::stop_token& stop = {});
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -5,8 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -80,5 +79,4 @@ Result<std::vector<Segmentation>> read_segmentations(const std::filesystem::path
     return segmentations;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

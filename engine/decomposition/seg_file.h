@@ -9,8 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/decomposition/segmentation.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// Reads the text of a .seg file of the Princeton segmentation benchmark: a label a line for each
 /// face of the model, any non-negative integers below 2^32; blank lines count for nothing. The
@@ -29,5 +28,4 @@ Result<Segmentation> read_seg(const std::filesystem::path& path, std::size_t fac
 Result<std::vector<Segmentation>> read_segmentations(const std::filesystem::path& folder,
                                                      const std::string& model, std::size_t faces);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

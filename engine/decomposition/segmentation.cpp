@@ -2,8 +2,7 @@
 
 #include <unordered_map>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels) {
     Segmentation dense;
@@ -17,5 +16,4 @@ Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels) {
     return dense;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

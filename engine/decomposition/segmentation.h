@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A part number for each triangle of a mesh (or each face of a file), 0-based and dense: every
 /// number below `parts` occurs.
@@ -19,5 +18,4 @@ struct Segmentation {
 /// Renumbers any labels in the order of their first use.
 [[nodiscard]] Segmentation dense_segmentation(const std::vector<std::uint32_t>& labels);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

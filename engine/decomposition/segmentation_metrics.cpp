@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cstddef>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 /// How much each part of one segmentation shares with each part of the other, by faces or by area.
@@ -113,5 +112,4 @@ SegmentationErrors segmentation_errors(const Segmentation& reference,
     return errors;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

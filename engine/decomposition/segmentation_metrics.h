@@ -4,8 +4,7 @@
 
 #include "engine/decomposition/segmentation.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// How far two segmentations of one mesh are apart, as Chen, Golovinskiy and Funkhouser, "A
 /// Benchmark for 3D Mesh Segmentation", 2009, sec. 4, define it and their evaluator computes it.
@@ -39,5 +38,4 @@ SegmentationErrors segmentation_errors(const Segmentation& reference,
                                        const Segmentation& segmentation,
                                        const std::vector<double>& areas);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -6,8 +6,7 @@
 #include <queue>
 #include <utility>
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr double kRadiusShare = 0.7;
@@ -17,7 +16,7 @@ constexpr float kMaxOutside = 0.25F;  // of the line of sight
 
 }  // namespace
 
-SkeletonSamples sample_skeleton(const SkeletonGraph& skeleton) {
+SkeletonSamples sample_skeleton(const skeleton::SkeletonGraph& skeleton) {
     SkeletonSamples samples;
     const auto add = [&](const Vec3& position, double radius, std::int32_t branch, bool junction) {
         samples.points.push_back({position, radius, branch, junction});
@@ -45,7 +44,7 @@ SkeletonSamples sample_skeleton(const SkeletonGraph& skeleton) {
     return samples;
 }
 
-Outside outside(const BitVolume& solid, const Vec3& a, const Vec3& b) {
+Outside outside(const voxel::BitVolume& solid, const Vec3& a, const Vec3& b) {
     constexpr float kOne = 65536.0F;
     const float length = static_cast<float>((b - a).norm());
     const int steps = std::max(2, static_cast<int>(length));
@@ -60,8 +59,8 @@ Outside outside(const BitVolume& solid, const Vec3& a, const Vec3& b) {
     return {share, share * length};
 }
 
-SkeletonAnchor anchor(const SkeletonSamples& samples, const BitVolume& solid, const Vec3& point,
-                      const Vec3& inside, const Vec3& normal) {
+SkeletonAnchor anchor(const SkeletonSamples& samples, const voxel::BitVolume& solid,
+                      const Vec3& point, const Vec3& inside, const Vec3& normal) {
     SkeletonAnchor best{0, std::numeric_limits<double>::infinity()};
     for (std::uint32_t s = 0; s < samples.points.size(); ++s) {
         const Vec3 away = point - samples.points[s].position;
@@ -110,5 +109,4 @@ SkeletonWays ways_from(const SkeletonSamples& samples, std::uint32_t source) {
     return ways;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

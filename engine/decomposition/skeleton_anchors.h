@@ -8,8 +8,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A skeleton as points two steps apart along its branches, and the ways between them.
 struct SkeletonSamples {
@@ -26,7 +25,7 @@ struct SkeletonSamples {
     std::vector<Point> points;
     std::vector<std::vector<Link>> links;
 };
-SkeletonSamples sample_skeleton(const SkeletonGraph& skeleton);
+SkeletonSamples sample_skeleton(const skeleton::SkeletonGraph& skeleton);
 
 /// The point of the skeleton that a point of the surface belongs to: near, with the surface facing
 /// away from it, and in sight through the solid where one such is.
@@ -35,8 +34,8 @@ struct SkeletonAnchor {
     std::uint32_t sample = 0;
     double excess = 0.0;  ///< of the distance over 0.7 radii, plus what not facing away costs
 };
-SkeletonAnchor anchor(const SkeletonSamples& samples, const BitVolume& solid, const Vec3& point,
-                      const Vec3& inside, const Vec3& normal);
+SkeletonAnchor anchor(const SkeletonSamples& samples, const voxel::BitVolume& solid,
+                      const Vec3& point, const Vec3& inside, const Vec3& normal);
 
 /// What the ways along the skeleton from one sample to all others are like; shortest ways.
 struct SkeletonWays {
@@ -52,7 +51,6 @@ struct Outside {
     float share = 0.0F;
     float length = 0.0F;  ///< voxels
 };
-Outside outside(const BitVolume& solid, const Vec3& a, const Vec3& b);
+Outside outside(const voxel::BitVolume& solid, const Vec3& a, const Vec3& b);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -4,14 +4,13 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/vertex_normals.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
-SurfaceGraph surface_graph(const TriangleMesh& mesh) {
+SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh) {
     SurfaceGraph graph;
-    graph.across = adjacent_triangles(mesh, build_edge_table(mesh));
-    graph.normals = triangle_normals(mesh);
-    graph.areas = triangle_areas(mesh);
+    graph.across = mesh::adjacent_triangles(mesh, mesh::build_edge_table(mesh));
+    graph.normals = mesh::triangle_normals(mesh);
+    graph.areas = mesh::triangle_areas(mesh);
     const std::size_t count = mesh.triangles.size();
     graph.centers.reserve(count);
     for (std::size_t t = 0; t < count; ++t) {
@@ -28,7 +27,7 @@ SurfaceGraph surface_graph(const TriangleMesh& mesh) {
             graph.side_lengths[t][side] =
                 static_cast<float>((corners[(side + 1) % 3] - corners[side]).norm());
             const std::uint32_t other = graph.across[t][side];
-            if (other == kNoTriangle) continue;
+            if (other == mesh::kNoTriangle) continue;
             const Vec3 bend = graph.normals[t] - graph.normals[other];
             const bool concave = (graph.centers[other] - graph.centers[t]).dot(bend) > 0.0;
             graph.turns[t][side] = static_cast<float>(concave ? bend.norm() : -bend.norm());
@@ -53,7 +52,7 @@ SurfacePieces surface_pieces(const SurfaceGraph& graph) {
             open.pop_back();
             pieces.areas[piece] += graph.areas[t];
             for (const std::uint32_t other : graph.across[t]) {
-                if (other == kNoTriangle || pieces.of_triangle[other] != kNone) continue;
+                if (other == mesh::kNoTriangle || pieces.of_triangle[other] != kNone) continue;
                 pieces.of_triangle[other] = piece;
                 open.push_back(other);
             }
@@ -62,5 +61,4 @@ SurfacePieces surface_pieces(const SurfaceGraph& graph) {
     return pieces;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

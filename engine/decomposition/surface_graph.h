@@ -7,8 +7,7 @@
 #include "engine/core/geometry.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// A surface as a graph of its triangles: who lies across which side, and how the surface turns
 /// there.
@@ -28,7 +27,7 @@ struct SurfaceGraph {
 };
 
 /// @param mesh  vertices told apart by index: weld a soup first
-SurfaceGraph surface_graph(const TriangleMesh& mesh);
+SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh);
 
 /// The pieces of the graph, numbered by their first triangle.
 struct SurfacePieces {
@@ -37,5 +36,4 @@ struct SurfacePieces {
 };
 SurfacePieces surface_pieces(const SurfaceGraph& graph);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -6,26 +6,25 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/vertex_normals.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
-VertexGraph vertex_graph(const TriangleMesh& mesh) {
+VertexGraph vertex_graph(const mesh::TriangleMesh& mesh) {
     VertexGraph graph;
-    graph.normals = vertex_normals(mesh);
-    const EdgeTable table = build_edge_table(mesh);
+    graph.normals = mesh::vertex_normals(mesh);
+    const mesh::EdgeTable table = mesh::build_edge_table(mesh);
     graph.first.assign(mesh.vertices.size() + 1, 0);
-    for (const EdgeTable::Edge& edge : table.edges) {
+    for (const mesh::EdgeTable::Edge& edge : table.edges) {
         ++graph.first[edge.a + 1];
         ++graph.first[edge.b + 1];
     }
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) graph.first[v + 1] += graph.first[v];
     graph.neighbors.resize(2 * table.edges.size());
     std::vector<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
-    for (const EdgeTable::Edge& edge : table.edges) {
+    for (const mesh::EdgeTable::Edge& edge : table.edges) {
         graph.neighbors[next[edge.a]++] = edge.b;
         graph.neighbors[next[edge.b]++] = edge.a;
     }
-    const double scale = std::sqrt(measure(mesh).surface_area);
+    const double scale = std::sqrt(mesh::measure(mesh).surface_area);
     graph.curvatures.assign(mesh.vertices.size(), 0.0);
     for (std::uint32_t v = 0; v < graph.size(); ++v) {
         const auto around = graph.around(v);
@@ -40,5 +39,4 @@ VertexGraph vertex_graph(const TriangleMesh& mesh) {
     return graph;
 }
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -7,8 +7,7 @@
 #include "engine/core/geometry.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace decomposition {
+namespace ossuary::decomposition {
 
 /// The vertices of a surface with their neighbours along edges, normals and curvature.
 struct VertexGraph {
@@ -26,7 +25,6 @@ struct VertexGraph {
 };
 
 /// @param mesh  vertices told apart by index: weld a soup first
-VertexGraph vertex_graph(const TriangleMesh& mesh);
+VertexGraph vertex_graph(const mesh::TriangleMesh& mesh);
 
-}  // namespace decomposition
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

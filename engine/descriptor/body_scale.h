@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// The length that a solid's descriptors are measured in, in the unit of its grid: the geometric
 /// mean of the square root of its surface area and of the cube root of its volume, the latter times
@@ -14,5 +13,4 @@ inline double body_scale(double area, double volume) {
     return std::sqrt(std::sqrt(area) * kVolumeGain * std::cbrt(volume));
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// The sum of absolute differences; whole numbers, so exact and symmetric. Compilers make it one
 /// instruction for sixteen bytes.
@@ -18,5 +17,4 @@ inline std::uint32_t byte_distance(const std::uint8_t* a, const std::uint8_t* b,
     return sum;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

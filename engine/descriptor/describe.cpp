@@ -13,8 +13,7 @@
 #include "engine/mesh/canonical_pose.h"
 #include "engine/skeleton/tube_radii.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 /// How the further grids are turned against the first one; any turn far from the identity and from
@@ -28,9 +27,10 @@ std::array<Mat3, kMaxTurnedGrids> grid_turns() {
             turn(0.8, Vec3(0.2, 1.0, -0.7)), turn(1.0, Vec3(1.0, 0.2, 1.1))};
 }
 
-SkeletonGraph with_tube_radii(const SkeletonGraph& graph, const BitVolume& solid) {
-    SkeletonGraph result = graph;
-    std::vector<std::vector<double>> radii = tube_radii(graph, solid);
+skeleton::SkeletonGraph with_tube_radii(const skeleton::SkeletonGraph& graph,
+                                        const voxel::BitVolume& solid) {
+    skeleton::SkeletonGraph result = graph;
+    std::vector<std::vector<double>> radii = skeleton::tube_radii(graph, solid);
     for (std::size_t i = 0; i < radii.size(); ++i) result.branches[i].radii = std::move(radii[i]);
     return result;
 }
@@ -42,26 +42,27 @@ struct MeasuredSolid {
     double volume = 0.0;  ///< voxels
     double scale = 0.0;   ///< voxels
 
-    explicit MeasuredSolid(const BitVolume& solid)
+    explicit MeasuredSolid(const voxel::BitVolume& solid)
         : surface(solid_surface(solid)),
           volume(static_cast<double>(solid.count())),
           scale(body_scale(surface.total_area, volume)) {}
 };
 
-SkeletonDescriptor describe_limbs(const Skeleton& skeleton, const MeasuredSolid& solid) {
-    SkeletonDescriptor descriptor =
-        describe_skeleton(with_tube_radii(skeleton.refined, skeleton.solid.volume), solid.scale);
+matching::SkeletonDescriptor describe_limbs(const skeleton::Skeleton& skeleton,
+                                            const MeasuredSolid& solid) {
+    matching::SkeletonDescriptor descriptor = matching::describe_skeleton(
+        with_tube_radii(skeleton.refined, skeleton.solid.volume), solid.scale);
     const double unit = solid.scale * solid.scale * solid.scale;
     descriptor.solid_volume = static_cast<float>(solid.volume / unit);
-    descriptor.limb_volume = static_cast<float>(tube_volume(skeleton.refined) / unit);
+    descriptor.limb_volume = static_cast<float>(skeleton::tube_volume(skeleton.refined) / unit);
     return descriptor;
 }
 
 /// The same options with the canonical pose, where it is asked for, as the grid's rotation.
-DescribeOptions with_pose(const TriangleMesh& mesh, const DescribeOptions& options) {
+DescribeOptions with_pose(const mesh::TriangleMesh& mesh, const DescribeOptions& options) {
     DescribeOptions result = options;
     if (options.skeletonize.canonical_pose) {
-        result.skeletonize.voxelize.rotation = canonical_pose(mesh);
+        result.skeletonize.voxelize.rotation = mesh::canonical_pose(mesh);
         result.skeletonize.canonical_pose = false;
     }
     return result;
@@ -76,34 +77,35 @@ int turned_resolution(const DescribeOptions& options) {
 /// Appends the model's skeletons on the turned grids.
 /// @param options  without canonical_pose: turned against `voxelize.rotation`
 /// Errors: those of skeletonize.
-Result<void> trace_turned(const TriangleMesh& mesh, const DescribeOptions& options,
-                          std::vector<SkeletonDescriptor>& skeletons, std::stop_token stop) {
+Result<void> trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions& options,
+                          std::vector<matching::SkeletonDescriptor>& skeletons,
+                          std::stop_token stop) {
     assert(!options.skeletonize.canonical_pose);
     assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
     const std::array<Mat3, kMaxTurnedGrids> turns = grid_turns();
     const int resolution = turned_resolution(options);
     for (std::size_t i = 0; i < static_cast<std::size_t>(options.turned_grids); ++i) {
-        SkeletonizeOptions turned = options.skeletonize;
+        skeleton::SkeletonizeOptions turned = options.skeletonize;
         turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
         turned.voxelize.resolution = resolution;
         turned.refine.significance = false;  // a tenth of the time, and not looked at
-        const Result<Skeleton> made = skeletonize(mesh, turned, stop);
+        const Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, turned, stop);
         if (!made) return made.error();
         const MeasuredSolid solid(made->solid.volume);
-        skeletons.push_back(
-            trace_skeleton(with_tube_radii(made->refined, made->solid.volume), solid.scale));
+        skeletons.push_back(matching::trace_skeleton(
+            with_tube_radii(made->refined, made->solid.volume), solid.scale));
     }
     return {};
 }
 
 }  // namespace
 
-Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& wanted,
+Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& wanted,
                              std::stop_token stop) {
     const DescribeOptions options = with_pose(mesh, wanted);
-    Result<Skeleton> made = skeletonize(mesh, options.skeletonize, stop);
+    Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, options.skeletonize, stop);
     if (!made) return made.error();
-    const Skeleton& skeleton = *made;
+    const skeleton::Skeleton& skeleton = *made;
     const auto cancelled = [&] { return Error{ErrorCode::kCancelled, "describing was cancelled"}; };
 
     Description description;
@@ -118,7 +120,7 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& wa
     lap("surface");
     if (stop.stop_requested()) return cancelled();
 
-    std::vector<SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
+    std::vector<matching::SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
     lap("describe_skeleton");
     if (const auto traced = trace_turned(mesh, options, skeletons, stop); !traced) {
         return traced.error();
@@ -134,10 +136,9 @@ Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& wa
 
     description.descriptor.signature =
         preselection_signature(description.descriptor.skeleton, description.descriptor.globals);
-    description.skeleton = to_world(skeleton.refined, skeleton.solid.world_from_grid);
+    description.skeleton = skeleton::to_world(skeleton.refined, skeleton.solid.world_from_grid);
     lap("signature");
     return description;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -9,11 +9,10 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeletonize.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 struct DescribeOptions {
-    SkeletonizeOptions skeletonize;
+    skeleton::SkeletonizeOptions skeletonize;
     /// Skeletons on coarser grids turned against the first one, at most kMaxTurnedGrids, over which
     /// the descriptors that need no matching are averaged: where thinning decides by a voxel, each
     /// decides anew.
@@ -25,15 +24,15 @@ inline constexpr int kMaxTurnedGrids = 6;
 /// All that the index keeps of a model and the rankers need of a query.
 struct Description {
     ModelDescriptor descriptor;
-    SkeletonGraph skeleton;  ///< refined, in the model's own units; what correspondences index into
-    std::vector<MeshWarning> warnings;
+    skeleton::SkeletonGraph
+        skeleton;  ///< refined, in the model's own units; what correspondences index into
+    std::vector<mesh::MeshWarning> warnings;
     StageTimes stage_times;
 };
 
 /// The whole road from a mesh to its descriptor; deterministic.
 /// Errors: those of skeletonize.
-Result<Description> describe(const TriangleMesh& mesh, const DescribeOptions& options = {},
+Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& options = {},
                              std::stop_token stop = {});
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

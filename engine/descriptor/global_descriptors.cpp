@@ -9,8 +9,7 @@
 #include "engine/descriptor/shape_diameter.h"
 #include "engine/descriptor/shell_graph.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 /// Voxels to a node of the graph: keeps a model at about 1,500 nodes.
@@ -19,9 +18,9 @@ constexpr int kGeodesicSources = 16;
 
 }  // namespace
 
-std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
-                                                 const BitVolume& solid,
-                                                 std::span<const SkeletonDescriptor> skeletons) {
+std::vector<GlobalDescriptor> global_descriptors(
+    const SolidSurface& surface, const voxel::BitVolume& solid,
+    std::span<const matching::SkeletonDescriptor> skeletons) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
@@ -57,5 +56,4 @@ double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
     return 0.0;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -16,8 +16,7 @@
 #include "engine/descriptor/view_spectra.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 enum class GlobalMetric {
     kSkeletonPairs,     ///< skeleton_pairs_distance
@@ -55,9 +54,9 @@ enum GlobalPlace : std::size_t {
 /// All global descriptors of a solid and its skeleton.
 /// @param surface    solid_surface(solid)
 /// @param skeletons  of the same model, made on one grid or several
-std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
-                                                 const BitVolume& solid,
-                                                 std::span<const SkeletonDescriptor> skeletons);
+std::vector<GlobalDescriptor> global_descriptors(
+    const SolidSurface& surface, const voxel::BitVolume& solid,
+    std::span<const matching::SkeletonDescriptor> skeletons);
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.
@@ -65,5 +64,4 @@ std::vector<GlobalDescriptor> global_descriptors(const SolidSurface& surface,
 [[nodiscard]] double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
                                      const GlobalDescriptorKind& kind, double pose = 1.0);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

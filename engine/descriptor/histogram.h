@@ -6,8 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// One axis of a histogram: `bins` bins over [low, high]; what lies outside falls into the end
 /// bins.
@@ -81,5 +80,4 @@ private:
     std::vector<double> cells_;
 };
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -4,8 +4,7 @@
 #include <cassert>
 #include <numbers>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 std::complex<double> wave(std::size_t frequency, std::size_t at, std::size_t count) {
@@ -70,5 +69,4 @@ std::vector<float> ImageSpectrum::magnitudes(std::span<const float> pixels) cons
     return result;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

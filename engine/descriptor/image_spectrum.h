@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// Magnitudes of the low frequencies of images of one size. They do not change when an image is
 /// shifted around, nor, because mirrored frequencies are averaged, when it is mirrored.
@@ -31,5 +30,4 @@ private:
     std::vector<std::complex<float>> down_;
 };
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

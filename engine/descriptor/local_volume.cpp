@@ -10,13 +10,11 @@
 #include "engine/descriptor/shell_center.h"
 #include "engine/descriptor/summed_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 /// Half the cubes' edges over the square root of the area.
 constexpr std::array<double, 3> kReaches = {0.05, 0.1, 0.2};
-constexpr double kByteScale = 510.0;
 
 /// The share of set voxels in the cube about a point.
 double filled_share(const SummedVolume& sums, const Vec3f& point, double reach) {
@@ -31,7 +29,7 @@ double filled_share(const SummedVolume& sums, const Vec3f& point, double reach) 
 }  // namespace
 
 std::vector<std::uint8_t> local_volume(const ShellGraph& graph, std::span<const float> geodesics,
-                                       const BitVolume& solid) {
+                                       const voxel::BitVolume& solid) {
     assert(geodesics.size() == graph.size());
     SoftHistogram<2> by_geodesic({{{0.0, 1.0, 12}, {std::log(0.25), std::log(2.0), 8}}});
     SoftHistogram<3> by_radius({{{0.0, 1.0, 8}, {0.0, 1.0, 8}, {0.0, 2.2, 6}}});
@@ -51,10 +49,9 @@ std::vector<std::uint8_t> local_volume(const ShellGraph& graph, std::span<const 
     }
     std::vector<std::uint8_t> bytes;
     bytes.reserve(kLocalVolumeSize);
-    append_root_bytes(by_geodesic.normalized(), kByteScale, bytes);
-    append_root_bytes(by_radius.normalized(), kByteScale, bytes);
+    append_root_bytes(by_geodesic.normalized(), kHistogramByteScale, bytes);
+    append_root_bytes(by_radius.normalized(), kHistogramByteScale, bytes);
     return bytes;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

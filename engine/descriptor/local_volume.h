@@ -7,8 +7,7 @@
 #include "engine/descriptor/shell_graph.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kLocalVolumeSize = 12 * 8 + 8 * 8 * 6;
 
@@ -20,7 +19,6 @@ inline constexpr std::size_t kLocalVolumeSize = 12 * 8 + 8 * 8 * 6;
 /// small and a large cube against the distance from the centre. Compare by L1.
 /// @param geodesics  average_geodesic_distances(graph)
 std::vector<std::uint8_t> local_volume(const ShellGraph& graph, std::span<const float> geodesics,
-                                       const BitVolume& solid);
+                                       const voxel::BitVolume& solid);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

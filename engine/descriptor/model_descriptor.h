@@ -7,8 +7,7 @@
 
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// One global descriptor: bytes of a fixed number that are compared by a metric of their own
 /// (global_distance).
@@ -19,11 +18,10 @@ struct GlobalDescriptor {
 
 /// All that the rankers compare. Scale, position and (as far as each part can) orientation are out.
 struct ModelDescriptor {
-    SkeletonDescriptor skeleton;  ///< for `chain-code` and `skeleton`
+    matching::SkeletonDescriptor skeleton;  ///< for `chain-code` and `skeleton`
     std::vector<GlobalDescriptor>
         globals;                   ///< for `hybrid`, always the same names in the same order
     std::vector<float> signature;  ///< preselection: Euclidean, unit length
 };
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr double kLeastDistance = 0.5;  // voxels; the surface of a single voxel
@@ -38,5 +37,4 @@ PrincipalFrame principal_frame(const SolidSurface& surface, FrameKind kind) {
     return frame;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

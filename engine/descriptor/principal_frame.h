@@ -3,8 +3,7 @@
 #include "engine/core/geometry.h"
 #include "engine/descriptor/solid_surface.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// Which covariance gives a frame its axes.
 enum class FrameKind {
@@ -22,5 +21,4 @@ struct PrincipalFrame {
 /// @pre the surface is not empty
 [[nodiscard]] PrincipalFrame principal_frame(const SolidSurface& surface, FrameKind kind);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

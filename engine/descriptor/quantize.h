@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
+
+/// The scale of histograms that sum to one: a quarter of all in one bin fills its byte.
+inline constexpr double kHistogramByteScale = 510.0;
 
 /// Square roots in bytes: round(scale * sqrt(value)), at most 255. The root evens out the small and
 /// the great values of histograms and spectra; bytes make a descriptor small and its comparison
@@ -21,5 +23,4 @@ inline void append_root_bytes(std::span<const float> values, double scale,
     }
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

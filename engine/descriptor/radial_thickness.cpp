@@ -7,13 +7,8 @@
 #include "engine/descriptor/quantize.h"
 #include "engine/descriptor/shell_center.h"
 
-namespace ossuary {
-inline namespace descriptor {
-namespace {
-
-constexpr double kByteScale = 510.0;
-
-}  // namespace
+namespace ossuary::descriptor {
+namespace {}  // namespace
 
 std::vector<std::uint8_t> radial_thickness(const ShellGraph& graph,
                                            std::span<const float> diameters) {
@@ -33,9 +28,8 @@ std::vector<std::uint8_t> radial_thickness(const ShellGraph& graph,
     }
     std::vector<std::uint8_t> bytes;
     bytes.reserve(kRadialThicknessSize);
-    append_root_bytes(histogram.normalized(), kByteScale, bytes);
+    append_root_bytes(histogram.normalized(), kHistogramByteScale, bytes);
     return bytes;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,8 +6,7 @@
 
 #include "engine/descriptor/shell_graph.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kRadialThicknessSize = 12 * 10 * 5;
 
@@ -18,5 +17,4 @@ inline constexpr std::size_t kRadialThicknessSize = 12 * 10 * 5;
 std::vector<std::uint8_t> radial_thickness(const ShellGraph& graph,
                                            std::span<const float> diameters);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr std::size_t kRays = 16;
@@ -31,7 +30,7 @@ std::array<Vec3f, kRays> cone_directions() {
 /// How far one can go from `start` before leaving the solid, in fixed point: half the time of
 /// floating point, and the bits of a volume stay in the cache, which a distance transform to leap
 /// by does not (2.2 times slower).
-float ray_length(const BitVolume& solid, const Vec3f& start, const Vec3f& direction) {
+float ray_length(const voxel::BitVolume& solid, const Vec3f& start, const Vec3f& direction) {
     constexpr float kOne = 65536.0F;
     const Vec3i& size = solid.size();
     const Vec3i step = (kStep * kOne * direction).cast<std::int32_t>();
@@ -63,7 +62,7 @@ float robust_mean(std::array<float, kRays> lengths, const std::array<Vec3f, kRay
 
 }  // namespace
 
-std::vector<float> shape_diameters(const ShellGraph& surface, const BitVolume& solid) {
+std::vector<float> shape_diameters(const ShellGraph& surface, const voxel::BitVolume& solid) {
     static const std::array<Vec3f, kRays> kDirections = cone_directions();
     std::vector<float> diameters;
     diameters.reserve(surface.size());
@@ -90,5 +89,4 @@ std::vector<float> shape_diameters(const ShellGraph& surface, const BitVolume& s
     return diameters;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -3,8 +3,7 @@
 #include "engine/core/geometry.h"
 #include "engine/descriptor/shell_graph.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// Where a surface's centre of gravity is and how far the surface is from it in the mean.
 struct ShellCenter {
@@ -28,5 +27,4 @@ inline ShellCenter shell_center(const ShellGraph& graph) {
     return result;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

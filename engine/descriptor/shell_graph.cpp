@@ -6,8 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
@@ -169,5 +168,4 @@ std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sourc
     return average;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

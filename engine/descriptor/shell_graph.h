@@ -6,8 +6,7 @@
 
 #include "engine/descriptor/solid_surface.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// A solid's boundary, coarsened to one node for each cubic cell of the grid that holds some of it;
 /// nodes of neighbouring cells (26) are joined by an edge as long as their distance.
@@ -36,5 +35,4 @@ void shortest_distances(const ShellGraph& graph, std::uint32_t source,
 /// Across pieces of surface that do not touch, the straight distance stands in.
 std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sources);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

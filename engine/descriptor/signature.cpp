@@ -10,8 +10,7 @@
 #include "engine/descriptor/histogram.h"
 #include "engine/descriptor/view_spectra.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr std::size_t kPart = 64;
@@ -19,17 +18,17 @@ constexpr std::size_t kParts = 4;
 static_assert(kPart * kParts == kSignatureSize);
 
 /// Length of skeleton over (distance from the root, level of the radius).
-std::vector<float> skeleton_part(const SkeletonDescriptor& skeleton) {
+std::vector<float> skeleton_part(const matching::SkeletonDescriptor& skeleton) {
     // Levels 100 to 196 are radii from 0.02 to 0.36 of the scale.
     SoftHistogram<2> histogram({{{0.0, 2.0, 8}, {100.0, 196.0, 8}}});
     if (!skeleton.rooted.trees.empty()) {
-        for (const RootedTree::Node& node : skeleton.rooted.trees.front().nodes) {
-            if (node.piece == kNoIndex) continue;
+        for (const matching::RootedTree::Node& node : skeleton.rooted.trees.front().nodes) {
+            if (node.piece == matching::kNoIndex) continue;
             const auto code = skeleton.rooted.code(node.piece);
             const double step = static_cast<double>(skeleton.rooted.pieces[node.piece].length) /
                                 static_cast<double>(std::max<std::size_t>(code.size(), 1));
             double distance = static_cast<double>(node.root_distance) + 0.5 * step;
-            for (const DirectionStep& taken : code) {
+            for (const chain_code::DirectionStep& taken : code) {
                 histogram.add({distance, static_cast<double>(taken.radius_level)}, step);
                 distance += step;
             }
@@ -113,7 +112,7 @@ void append_normalized(std::vector<float> part, std::vector<float>& signature) {
 
 }  // namespace
 
-std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
+std::vector<float> preselection_signature(const matching::SkeletonDescriptor& skeleton,
                                           const std::vector<GlobalDescriptor>& globals) {
     assert(globals.size() == kGlobalDescriptorKinds.size());
     std::vector<float> signature;
@@ -138,5 +137,4 @@ std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
     return signature;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

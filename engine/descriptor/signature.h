@@ -4,8 +4,7 @@
 
 #include "engine/descriptor/model_descriptor.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kSignatureSize = 256;
 
@@ -14,8 +13,7 @@ inline constexpr std::size_t kSignatureSize = 256;
 /// and local volume, 64 values each; every part square-rooted where it is a histogram and of the
 /// same weight, the whole of unit length, so that the Euclidean distance of two lies in [0, 2].
 /// @pre the skeleton's matching data is derived, the globals are those of global_descriptors
-std::vector<float> preselection_signature(const SkeletonDescriptor& skeleton,
+std::vector<float> preselection_signature(const matching::SkeletonDescriptor& skeleton,
                                           const std::vector<GlobalDescriptor>& globals);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,8 +6,7 @@
 
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
 
@@ -20,7 +19,6 @@ inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
 /// Beside tree edit distance and pairs it raises the first tier of all 19 classes from .703 to
 /// .722, of the ten from .864 to .871; a point weighing as the surface around it .717 and .862.
 /// Balls in place of points raised that of the ten from .877 to .881.
-std::vector<std::uint8_t> skeleton_layout(std::span<const SkeletonDescriptor> skeletons);
+std::vector<std::uint8_t> skeleton_layout(std::span<const matching::SkeletonDescriptor> skeletons);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

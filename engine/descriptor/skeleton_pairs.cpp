@@ -7,33 +7,32 @@
 
 #include "engine/descriptor/byte_distance.h"
 #include "engine/descriptor/histogram.h"
+#include "engine/descriptor/quantize.h"
 #include "engine/descriptor/skeleton_samples.h"
 #include "engine/matching/skeleton_paths.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
-constexpr std::size_t kDistances = 12;
+constexpr std::size_t kPairDistances = 12;
 constexpr std::size_t kStraightnesses = 6;
 constexpr std::size_t kRadii = 4;
-static_assert(kDistances * kStraightnesses * kRadii == kSkeletonPairsSize);
-constexpr double kByteScale = 510.0;
+static_assert(kPairDistances * kStraightnesses * kRadii == kSkeletonPairsSize);
 
 /// Distances along a skeleton between any two of its samples.
 class AlongSkeleton {
 public:
-    explicit AlongSkeleton(const SkeletonDescriptor& skeleton) : skeleton_(skeleton) {
-        const SkeletonAdjacency adjacency = skeleton_adjacency(skeleton);
+    explicit AlongSkeleton(const matching::SkeletonDescriptor& skeleton) : skeleton_(skeleton) {
+        const matching::SkeletonAdjacency adjacency = matching::skeleton_adjacency(skeleton);
         for (std::uint32_t node = 0; node < skeleton.nodes.size(); ++node) {
-            from_.push_back(shortest_paths(skeleton, adjacency, node).distance);
+            from_.push_back(matching::shortest_paths(skeleton, adjacency, node).distance);
         }
     }
     /// Infinite between components.
     [[nodiscard]] double distance(const SkeletonSample& s, const SkeletonSample& t) const {
         if (skeleton_.branches.empty()) return 0.0;
-        const SkeletonDescriptor::Branch& b = skeleton_.branches[s.branch];
-        const SkeletonDescriptor::Branch& c = skeleton_.branches[t.branch];
+        const matching::SkeletonDescriptor::Branch& b = skeleton_.branches[s.branch];
+        const matching::SkeletonDescriptor::Branch& c = skeleton_.branches[t.branch];
         const double s_back = static_cast<double>(b.length) - s.along;
         const double t_back = static_cast<double>(c.length) - t.along;
         double best =
@@ -44,12 +43,12 @@ public:
     }
 
 private:
-    const SkeletonDescriptor& skeleton_;
+    const matching::SkeletonDescriptor& skeleton_;
     std::vector<std::vector<double>> from_;
 };
 
-std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
-    SoftHistogram<3> histogram({{{0.0, 2.5, static_cast<int>(kDistances)},
+std::vector<float> pairs_histogram(const matching::SkeletonDescriptor& skeleton) {
+    SoftHistogram<3> histogram({{{0.0, 2.5, static_cast<int>(kPairDistances)},
                                  {0.0, 1.0, static_cast<int>(kStraightnesses)},
                                  {std::log(0.01), std::log(0.4), static_cast<int>(kRadii)}}});
     const std::vector<SkeletonSample> samples = skeleton_samples(skeleton);
@@ -72,8 +71,9 @@ std::vector<float> histogram_of(const SkeletonDescriptor& skeleton) {
 }
 
 /// The square roots of the histogram of distance and radius alone.
-std::array<double, kDistances * kRadii> without_straightness(std::span<const std::uint8_t> bytes) {
-    std::array<double, kDistances * kRadii> mass{};
+std::array<double, kPairDistances * kRadii> without_straightness(
+    std::span<const std::uint8_t> bytes) {
+    std::array<double, kPairDistances * kRadii> mass{};
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         const auto root = static_cast<double>(bytes[i]);
         mass[i / (kStraightnesses * kRadii) * kRadii + i % kRadii] += root * root;
@@ -84,8 +84,8 @@ std::array<double, kDistances * kRadii> without_straightness(std::span<const std
 
 }  // namespace
 
-std::vector<std::uint8_t> skeleton_pairs(std::span<const SkeletonDescriptor> skeletons) {
-    return mean_root_bytes(skeletons, kSkeletonPairsSize, kByteScale, histogram_of);
+std::vector<std::uint8_t> skeleton_pairs(std::span<const matching::SkeletonDescriptor> skeletons) {
+    return mean_root_bytes(skeletons, kSkeletonPairsSize, kHistogramByteScale, pairs_histogram);
 }
 
 double skeleton_pairs_distance(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
@@ -101,5 +101,4 @@ double skeleton_pairs_distance(std::span<const std::uint8_t> a, std::span<const 
     return pose * whole + (1.0 - pose) * build;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,8 +6,7 @@
 
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kSkeletonPairsSize = 12 * 6 * 4;
 
@@ -17,7 +16,7 @@ inline constexpr std::size_t kSkeletonPairsSize = 12 * 6 * 4;
 /// one model, square roots in bytes. It needs no matching, so that a spurious branch changes it
 /// little. Of the pairs of variables tried on the ten classes, first tier alone: .736; with the
 /// mean radius .716, without a radius .624, without the straightness .667.
-std::vector<std::uint8_t> skeleton_pairs(std::span<const SkeletonDescriptor> skeletons);
+std::vector<std::uint8_t> skeleton_pairs(std::span<const matching::SkeletonDescriptor> skeletons);
 
 /// The sum of absolute differences of the bytes, as far as `pose` goes, and of the histograms
 /// without straightness (which bending changes) for the rest.
@@ -25,5 +24,4 @@ std::vector<std::uint8_t> skeleton_pairs(std::span<const SkeletonDescriptor> ske
 [[nodiscard]] double skeleton_pairs_distance(std::span<const std::uint8_t> a,
                                              std::span<const std::uint8_t> b, double pose = 1.0);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

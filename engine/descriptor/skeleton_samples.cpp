@@ -4,22 +4,21 @@
 
 #include "engine/descriptor/quantize.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr double kLeastRadius = 1e-4;
 
-Vec3f point_of(const SkeletonDescriptor::Branch& branch, std::size_t i) {
+Vec3f point_of(const matching::SkeletonDescriptor::Branch& branch, std::size_t i) {
     return {branch.points[3 * i], branch.points[3 * i + 1], branch.points[3 * i + 2]};
 }
 
 }  // namespace
 
-std::vector<SkeletonSample> skeleton_samples(const SkeletonDescriptor& skeleton) {
+std::vector<SkeletonSample> skeleton_samples(const matching::SkeletonDescriptor& skeleton) {
     std::vector<SkeletonSample> samples;
     for (std::uint32_t index = 0; index < skeleton.branches.size(); ++index) {
-        const SkeletonDescriptor::Branch& branch = skeleton.branches[index];
+        const matching::SkeletonDescriptor::Branch& branch = skeleton.branches[index];
         const auto steps = static_cast<double>(branch.radii.size() - 1);
         const double step = static_cast<double>(branch.length) / steps;
         for (std::size_t i = 1; i < branch.radii.size(); ++i) {
@@ -37,10 +36,10 @@ std::vector<SkeletonSample> skeleton_samples(const SkeletonDescriptor& skeleton)
 }
 
 std::vector<std::uint8_t> mean_root_bytes(
-    std::span<const SkeletonDescriptor> skeletons, std::size_t size, double scale,
-    std::vector<float> (*histogram_of)(const SkeletonDescriptor&)) {
+    std::span<const matching::SkeletonDescriptor> skeletons, std::size_t size, double scale,
+    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&)) {
     std::vector<float> mean(size, 0.0F);
-    for (const SkeletonDescriptor& skeleton : skeletons) {
+    for (const matching::SkeletonDescriptor& skeleton : skeletons) {
         const std::vector<float> histogram = histogram_of(skeleton);
         for (std::size_t i = 0; i < size; ++i) {
             mean[i] += histogram[i] / static_cast<float>(skeletons.size());
@@ -52,5 +51,4 @@ std::vector<std::uint8_t> mean_root_bytes(
     return bytes;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

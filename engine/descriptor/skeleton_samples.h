@@ -8,8 +8,7 @@
 #include "engine/core/geometry.h"
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// A piece of a skeleton's branch between two neighbouring samples, at its middle; in units of the
 /// descriptor's scale.
@@ -23,13 +22,13 @@ struct SkeletonSample {
 
 /// All pieces, branch by branch; for a skeleton that is a point, the point twice, so that it has a
 /// pair; none for an empty skeleton.
-[[nodiscard]] std::vector<SkeletonSample> skeleton_samples(const SkeletonDescriptor& skeleton);
+[[nodiscard]] std::vector<SkeletonSample> skeleton_samples(
+    const matching::SkeletonDescriptor& skeleton);
 
 /// The mean of a histogram over several skeletons of one model, as square roots in bytes
 /// (append_root_bytes); zeros without any.
 [[nodiscard]] std::vector<std::uint8_t> mean_root_bytes(
-    std::span<const SkeletonDescriptor> skeletons, std::size_t size, double scale,
-    std::vector<float> (*histogram_of)(const SkeletonDescriptor&));
+    std::span<const matching::SkeletonDescriptor> skeletons, std::size_t size, double scale,
+    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&));
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

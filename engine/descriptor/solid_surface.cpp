@@ -5,8 +5,7 @@
 
 #include "engine/voxel/border.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr int kReach = 3;
@@ -48,7 +47,7 @@ struct RowSums {
 };
 
 /// The kWidth voxels around (x, y, z) along x as bits; 0 outside the volume.
-unsigned row_bits(const BitVolume& solid, int x, int y, int z) {
+unsigned row_bits(const voxel::BitVolume& solid, int x, int y, int z) {
     const Vec3i& size = solid.size();
     if (y < 0 || z < 0 || y >= size.y() || z >= size.z()) return 0;
     const auto row = solid.row(y, z);
@@ -65,7 +64,7 @@ unsigned row_bits(const BitVolume& solid, int x, int y, int z) {
     return static_cast<unsigned>(bits) & ((1u << kWidth) - 1u);
 }
 
-int open_faces(const BitVolume& solid, const Vec3i& v) {
+int open_faces(const voxel::BitVolume& solid, const Vec3i& v) {
     int open = 0;
     for (int axis = 0; axis < 3; ++axis) {
         for (const int step : {-1, 1}) {
@@ -79,11 +78,11 @@ int open_faces(const BitVolume& solid, const Vec3i& v) {
 
 }  // namespace
 
-SolidSurface solid_surface(const BitVolume& solid) {
+SolidSurface solid_surface(const voxel::BitVolume& solid) {
     static const std::vector<BallRow> kRows = ball_rows();
     static const RowSums kSums;
     SolidSurface surface;
-    surface.voxels = border_points(solid);
+    surface.voxels = voxel::border_points(solid);
     const std::size_t count = surface.voxels.size();
     surface.points.reserve(count);
     surface.normals.reserve(count);
@@ -108,11 +107,11 @@ SolidSurface solid_surface(const BitVolume& solid) {
     return surface;
 }
 
-BitVolume halve(const BitVolume& solid) {
-    BitVolume half(((solid.size().array() + 1) / 2).matrix().eval());
-    for_each_voxel(solid, [&](const Vec3i& v) { half.set(v.x() / 2, v.y() / 2, v.z() / 2); });
+voxel::BitVolume halve(const voxel::BitVolume& solid) {
+    voxel::BitVolume half(((solid.size().array() + 1) / 2).matrix().eval());
+    voxel::for_each_voxel(solid,
+                          [&](const Vec3i& v) { half.set(v.x() / 2, v.y() / 2, v.z() / 2); });
     return half;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -5,8 +5,7 @@
 #include "engine/core/geometry.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// The boundary of a solid as points with normals and areas: one point a border voxel. Every global
 /// descriptor reads this, so that open meshes, soups and watertight models are described alike.
@@ -23,10 +22,9 @@ struct SolidSurface {
 /// The normal of a border voxel points away from the centre of gravity of the solid within three
 /// voxels; its area is the number of its open faces over the normal's 1-norm, which is exact for
 /// every plane.
-SolidSurface solid_surface(const BitVolume& solid);
+SolidSurface solid_surface(const voxel::BitVolume& solid);
 
 /// Half the resolution: a voxel is set where any of its eight is.
-BitVolume halve(const BitVolume& solid);
+voxel::BitVolume halve(const voxel::BitVolume& solid);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

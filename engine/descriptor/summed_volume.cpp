@@ -1,9 +1,8 @@
 #include "engine/descriptor/summed_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
-SummedVolume::SummedVolume(const BitVolume& solid)
+SummedVolume::SummedVolume(const voxel::BitVolume& solid)
     : size_((solid.size().array() + 1).matrix()),
       sums_(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) *
                 static_cast<std::size_t>(size_.z()),
@@ -36,5 +35,4 @@ std::uint32_t SummedVolume::count(const Vec3i& low, const Vec3i& high) const {
            at(h.x(), l.y(), l.z()) - at(l.x(), l.y(), l.z());
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,14 +6,13 @@
 #include "engine/core/geometry.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// Numbers of set voxels in boxes, each in constant time (Crow, "Summed-area tables for texture
 /// mapping", 1984, in three dimensions).
 class SummedVolume {
 public:
-    explicit SummedVolume(const BitVolume& solid);
+    explicit SummedVolume(const voxel::BitVolume& solid);
 
     /// Set voxels v with low <= v < high; what lies outside the volume is empty.
     [[nodiscard]] std::uint32_t count(const Vec3i& low, const Vec3i& high) const;
@@ -30,5 +29,4 @@ private:
     std::vector<std::uint32_t> sums_;
 };
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

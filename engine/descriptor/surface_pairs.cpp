@@ -8,12 +8,10 @@
 #include "engine/descriptor/histogram.h"
 #include "engine/descriptor/quantize.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr std::size_t kMaxPoints = 300;
-constexpr double kByteScale = 510.0;  // a quarter of all pairs in one bin fills its byte
 
 }  // namespace
 
@@ -39,7 +37,7 @@ std::vector<std::uint8_t> surface_pairs(const ShellGraph& graph) {
     }
     std::vector<std::uint8_t> bytes;
     bytes.reserve(kSurfacePairsSize);
-    append_root_bytes(histogram.normalized(), kByteScale, bytes);
+    append_root_bytes(histogram.normalized(), kHistogramByteScale, bytes);
     return bytes;
 }
 
@@ -58,5 +56,4 @@ double squared_byte_distance(std::span<const std::uint8_t> a, std::span<const st
     return static_cast<double>(sum);
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,8 +6,7 @@
 
 #include "engine/descriptor/shell_graph.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kSurfacePairsSize = 8 * 5 * 5 * 5;
 
@@ -23,5 +22,4 @@ std::vector<std::uint8_t> surface_pairs(const ShellGraph& graph);
 [[nodiscard]] double squared_byte_distance(std::span<const std::uint8_t> a,
                                            std::span<const std::uint8_t> b);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

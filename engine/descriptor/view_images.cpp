@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
 constexpr double kPanoramaReach = 3.0;  // radius of the cylinder, in mean distances
@@ -97,5 +96,4 @@ std::array<ViewImage, 2> depth_images(const SolidSurface& surface, const Princip
     return images;
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

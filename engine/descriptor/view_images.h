@@ -7,8 +7,7 @@
 #include "engine/descriptor/principal_frame.h"
 #include "engine/descriptor/solid_surface.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 /// A picture of a surface, row by row: how far out it is and how squarely it faces the viewer, both
 /// in [0, 1]; 0 where there is nothing.
@@ -36,5 +35,4 @@ inline constexpr std::size_t kDepthSide = 64;
 [[nodiscard]] std::array<ViewImage, 2> depth_images(const SolidSurface& surface,
                                                     const PrincipalFrame& frame, int axis);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

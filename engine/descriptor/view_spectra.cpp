@@ -11,11 +11,10 @@
 #include "engine/descriptor/quantize.h"
 #include "engine/descriptor/view_images.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 namespace {
 
-constexpr double kByteScale = 255.0;
+constexpr double kSpectrumByteScale = 255.0;
 constexpr std::size_t kPanoramaPart = 2 * kPanoramaSpectrum;
 constexpr std::size_t kDepthPart = 4 * kDepthSpectrum;
 constexpr std::size_t kFrameSize = 3 * kViewSize;
@@ -27,8 +26,8 @@ void append_depth(const std::vector<float>& front, const std::vector<float>& bac
         mean.push_back(0.5F * (front[i] + back[i]));
         difference.push_back(0.5F * std::abs(front[i] - back[i]));
     }
-    append_root_bytes(mean, kByteScale, bytes);
-    append_root_bytes(difference, kByteScale, bytes);
+    append_root_bytes(mean, kSpectrumByteScale, bytes);
+    append_root_bytes(difference, kSpectrumByteScale, bytes);
 }
 
 void append_view(const SolidSurface& surface, const PrincipalFrame& frame, int axis,
@@ -37,8 +36,8 @@ void append_view(const SolidSurface& surface, const PrincipalFrame& frame, int a
     static const ImageSpectrum kAlong({kDepthSide, kDepthSide},
                                       {kDepthFrequencies, kDepthFrequencies});
     const ViewImage around = panorama(surface, frame, axis);
-    append_root_bytes(kAround.magnitudes(around.extent), kByteScale, bytes);
-    append_root_bytes(kAround.magnitudes(around.facing), kByteScale, bytes);
+    append_root_bytes(kAround.magnitudes(around.extent), kSpectrumByteScale, bytes);
+    append_root_bytes(kAround.magnitudes(around.facing), kSpectrumByteScale, bytes);
     const std::array<ViewImage, 2> along = depth_images(surface, frame, axis);
     append_depth(kAlong.magnitudes(along[0].extent), kAlong.magnitudes(along[1].extent), bytes);
     append_depth(kAlong.magnitudes(along[0].facing), kAlong.magnitudes(along[1].facing), bytes);
@@ -109,5 +108,4 @@ double view_distance(std::span<const std::uint8_t> a, std::span<const std::uint8
     return static_cast<double>(sum);
 }
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

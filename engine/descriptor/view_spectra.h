@@ -6,8 +6,7 @@
 
 #include "engine/descriptor/solid_surface.h"
 
-namespace ossuary {
-inline namespace descriptor {
+namespace ossuary::descriptor {
 
 inline constexpr std::size_t kViewFrames = 2;
 /// Of one view: 16 x 9 frequencies of the panorama's extent and facing, and 8 x 8 of the depth
@@ -32,5 +31,4 @@ std::vector<std::uint8_t> view_spectra(const SolidSurface& surface);
 [[nodiscard]] double view_distance(std::span<const std::uint8_t> a,
                                    std::span<const std::uint8_t> b);
 
-}  // namespace descriptor
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -5,8 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 std::span<const std::uint32_t> Assignment::solve(std::span<const float> costs, std::size_t rows,
                                                  std::size_t columns,
@@ -107,5 +106,4 @@ void Assignment::solve_two_rows(std::span<const float> costs, std::size_t column
     column_of_row_[1] = static_cast<std::uint32_t>(best[1]);
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -6,8 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Minimum-cost bipartite assignment by the Hungarian method (Kuhn 1955, with the potentials and
 /// shortest augmenting paths of Jonker and Volgenant 1987). Keeps its buffers between calls.
@@ -33,5 +32,4 @@ private:
     std::vector<char> visited_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -8,21 +8,21 @@
 #include "engine/matching/resample.h"
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 std::string code_of(std::span<const Vec3> points, bool reversed) {
     std::vector<Vec3> walked(points.begin(), points.end());
     if (reversed) std::reverse(walked.begin(), walked.end());
-    return five_element_code(orthogonalize(walked));
+    return chain_code::five_element_code(chain_code::orthogonalize(walked));
 }
 
 /// Coded from the more significant node; between equals the code that reads higher is taken, so
 /// that the way in which the branch is stored does not matter.
-std::string branch_chain_code(const SkeletonGraph& graph, const SkeletonGraph::Branch& branch) {
-    const SkeletonGraph::Node& a = graph.nodes[branch.a];
-    const SkeletonGraph::Node& b = graph.nodes[branch.b];
+std::string branch_chain_code(const skeleton::SkeletonGraph& graph,
+                              const skeleton::SkeletonGraph::Branch& branch) {
+    const skeleton::SkeletonGraph::Node& a = graph.nodes[branch.a];
+    const skeleton::SkeletonGraph::Node& b = graph.nodes[branch.b];
     const auto first = std::tie(a.significance, a.radius);
     const auto second = std::tie(b.significance, b.radius);
     if (first > second) return code_of(branch.points, false);
@@ -31,7 +31,7 @@ std::string branch_chain_code(const SkeletonGraph& graph, const SkeletonGraph::B
 }
 
 /// Mean of the skeleton's points along its branches; of its nodes where it has no length.
-Vec3 centre_of(const std::vector<ResampledCurve>& curves, const SkeletonGraph& graph) {
+Vec3 centre_of(const std::vector<ResampledCurve>& curves, const skeleton::SkeletonGraph& graph) {
     Vec3 sum = Vec3::Zero();
     double length = 0.0;
     for (const ResampledCurve& curve : curves) {
@@ -42,7 +42,7 @@ Vec3 centre_of(const std::vector<ResampledCurve>& curves, const SkeletonGraph& g
         length += curve.length;
     }
     if (length > 0.0) return sum / length;
-    for (const SkeletonGraph::Node& node : graph.nodes) sum += node.position;
+    for (const skeleton::SkeletonGraph::Node& node : graph.nodes) sum += node.position;
     return graph.nodes.empty() ? sum : Vec3(sum / static_cast<double>(graph.nodes.size()));
 }
 
@@ -90,19 +90,20 @@ std::uint64_t content_key(const SkeletonDescriptor& descriptor) {
 
 }  // namespace
 
-SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
+SkeletonDescriptor trace_skeleton(const skeleton::SkeletonGraph& refined, double scale,
                                   const DescribeSkeletonOptions& options) {
     assert(scale > 0.0);
     SkeletonDescriptor descriptor;
     std::vector<ResampledCurve> curves;
-    for (const SkeletonGraph::Branch& branch : refined.branches) {
+    for (const skeleton::SkeletonGraph::Branch& branch : refined.branches) {
         curves.push_back(resample(branch.points, branch.radii, options.sample_step * scale,
                                   options.max_samples));
     }
     const Vec3 centre = centre_of(curves, refined);
     double significance = 0.0;
-    for (const SkeletonGraph::Node& node : refined.nodes) significance += node.significance;
-    for (const SkeletonGraph::Node& node : refined.nodes) {
+    for (const skeleton::SkeletonGraph::Node& node : refined.nodes)
+        significance += node.significance;
+    for (const skeleton::SkeletonGraph::Node& node : refined.nodes) {
         SkeletonDescriptor::Node& described = descriptor.nodes.emplace_back();
         const Vec3f position = ((node.position - centre) / scale).cast<float>();
         described.position = {position.x(), position.y(), position.z()};
@@ -129,7 +130,7 @@ SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
     return descriptor;
 }
 
-SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
+SkeletonDescriptor describe_skeleton(const skeleton::SkeletonGraph& refined, double scale,
                                      const DescribeSkeletonOptions& options) {
     SkeletonDescriptor descriptor = trace_skeleton(refined, scale, options);
     for (std::size_t i = 0; i < refined.branches.size(); ++i) {
@@ -145,5 +146,4 @@ void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& 
     descriptor.hierarchy = signature_tree(descriptor);
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// A named share of a distance, for explanations.
 struct DistancePart {
@@ -34,5 +33,4 @@ struct Match {
     Correspondence correspondence;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

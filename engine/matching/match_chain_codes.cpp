@@ -7,8 +7,7 @@
 #include "engine/matching/node_clusters.h"
 #include "engine/matching/signature_matching.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 struct ChainCodeMatchWorkspace::Buffers {
     explicit Buffers(std::stop_token asked) : stop(std::move(asked)), matcher(stop) {}
@@ -34,7 +33,8 @@ using Buffers = ChainCodeMatchWorkspace::Buffers;
 
 double code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                      std::uint32_t branch_a, std::uint32_t branch_b) {
-    return stretch_twist(a.branches[branch_a].chain_code, b.branches[branch_b].chain_code)
+    return chain_code::stretch_twist(a.branches[branch_a].chain_code,
+                                     b.branches[branch_b].chain_code)
         .distance();
 }
 
@@ -115,7 +115,7 @@ Score compare(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
 }
 
 /// A fixed order of the arguments makes the greedy choice, and so the distance, symmetric.
-bool in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
+bool is_in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
     return a.rooted.content_key <= b.rooted.content_key;
 }
 
@@ -140,13 +140,13 @@ double chain_code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor
                            const ChainCodeMatchOptions& options,
                            ChainCodeMatchWorkspace& workspace) {
     const NodePairs* pairs = nullptr;
-    return in_order(a, b) ? compare(a, b, options, workspace.buffers(), pairs).distance
-                          : compare(b, a, options, workspace.buffers(), pairs).distance;
+    return is_in_order(a, b) ? compare(a, b, options, workspace.buffers(), pairs).distance
+                             : compare(b, a, options, workspace.buffers(), pairs).distance;
 }
 
 Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                         const ChainCodeMatchOptions& options, const std::stop_token& stop) {
-    if (!in_order(a, b)) {
+    if (!is_in_order(a, b)) {
         Match match = match_chain_codes(b, a, options, stop);
         for (auto* pairs : {&match.correspondence.nodes, &match.correspondence.branches}) {
             for (Correspondence::Pair& pair : *pairs) std::swap(pair.a, pair.b);
@@ -173,5 +173,4 @@ Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b
     return match;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

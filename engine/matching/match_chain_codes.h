@@ -6,8 +6,7 @@
 #include "engine/matching/match.h"
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Parameters of the ranker `chain-code`.
 struct ChainCodeMatchOptions {
@@ -48,5 +47,4 @@ private:
                                          const ChainCodeMatchOptions& options,
                                          ChainCodeMatchWorkspace& workspace);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -7,8 +7,7 @@
 
 #include "engine/matching/node_clusters.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 SampledTree whole_tree(const PartQuery& part, const SkeletonDescriptor& whole) {
@@ -129,7 +128,7 @@ PartQuery::PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& opt
     for (int i = 0; i < options.candidates && !stop.stop_requested(); ++i) {
         Candidate candidate;
         candidate.scale = sample.scale;
-        candidate.tree = sample_tree(part, sample);
+        candidate.tree = sample_tree(part, sample, stop);
         for (const SampledTree::Top& top : candidate.tree.tops) {
             candidate.length = std::max(candidate.length, static_cast<double>(top.length));
         }
@@ -174,5 +173,4 @@ Match match_part(const PartQuery& part, const SkeletonDescriptor& whole,
     return match;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

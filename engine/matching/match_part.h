@@ -10,8 +10,7 @@
 #include "engine/matching/part_edit.h"
 #include "engine/matching/sampled_tree.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Parameters of matching a part.
 struct PartMatchOptions {
@@ -70,5 +69,4 @@ private:
 [[nodiscard]] Match match_part(const PartQuery& part, const SkeletonDescriptor& whole,
                                const std::stop_token& stop = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

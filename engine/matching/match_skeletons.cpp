@@ -6,19 +6,14 @@
 #include <optional>
 
 #include "engine/matching/node_clusters.h"
+#include "engine/matching/relative_difference.h"
 #include "engine/matching/tree_edit.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
-AlignmentOptions alignment_options(const SkeletonMatchOptions& options) {
+chain_code::AlignmentOptions alignment_options(const SkeletonMatchOptions& options) {
     return {options.pose, options.radius_weight, options.radius_gain, options.gap};
-}
-
-float relative_difference(float x, float y) {
-    const float sum = x + y;
-    return sum > 0.0F ? std::abs(x - y) / sum : 0.0F;
 }
 
 /// The two skeletons in a fixed order, so that the distance is symmetric bit by bit.
@@ -28,7 +23,7 @@ struct Ordered {
     bool swapped;
 };
 
-Ordered in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
+Ordered ordered(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
     if (a.rooted.content_key <= b.rooted.content_key) return {a.rooted, b.rooted, false};
     return {b.rooted, a.rooted, true};
 }
@@ -46,8 +41,8 @@ struct ExchangeCost {
 
 struct SkeletonMatchWorkspace::Buffers {
     std::stop_token stop;
-    std::optional<AlignmentCosts> costs;
-    BatchAligner aligner;
+    std::optional<chain_code::AlignmentCosts> costs;
+    chain_code::BatchAligner aligner;
     std::vector<float> code_cost;  // of each piece of a with each of b
     std::vector<float> exchange;
     std::vector<float> remove_a, remove_b;
@@ -65,14 +60,13 @@ SkeletonMatchWorkspace& SkeletonMatchWorkspace::operator=(SkeletonMatchWorkspace
 
 namespace {
 
-using Buffers = SkeletonMatchWorkspace::Buffers;
-
 /// One comparison: two skeletons, the options, and the buffers it works in.
 class Comparison {
 public:
-    Comparison(const Ordered& pair, const SkeletonMatchOptions& options, Buffers& buffers)
+    Comparison(const Ordered& pair, const SkeletonMatchOptions& options,
+               SkeletonMatchWorkspace::Buffers& buffers)
         : a_(pair.a), b_(pair.b), options_(options), buffers_(buffers) {
-        const AlignmentOptions wanted = alignment_options(options);
+        const chain_code::AlignmentOptions wanted = alignment_options(options);
         if (!buffers.costs || !(buffers.costs->options() == wanted)) buffers.costs.emplace(wanted);
         align_pieces();
     }
@@ -190,7 +184,7 @@ private:
     const RootedSkeletons& a_;
     const RootedSkeletons& b_;
     const SkeletonMatchOptions& options_;
-    Buffers& buffers_;
+    SkeletonMatchWorkspace::Buffers& buffers_;
 };
 
 /// Nothing against nothing is alike; nothing against something takes removing all of it.
@@ -252,14 +246,15 @@ Match explain(Comparison& comparison, const RootedSkeletons& sa, const RootedSke
 
 double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                          const SkeletonMatchOptions& options, SkeletonMatchWorkspace& workspace) {
-    const Ordered pair = in_order(a, b);
+    const Ordered pair = ordered(a, b);
     if (const auto distance = distance_of_empty(pair, options)) return *distance;
+    if (workspace.buffers().stop.stop_requested()) return 0.0;
     return static_cast<double>(Comparison(pair, options, workspace.buffers()).best().distance);
 }
 
 Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                       const SkeletonMatchOptions& options, const std::stop_token& stop) {
-    const Ordered pair = in_order(a, b);
+    const Ordered pair = ordered(a, b);
     if (const auto distance = distance_of_empty(pair, options)) {
         return {*distance, {{"unmatched", *distance}}, {}};
     }
@@ -276,5 +271,4 @@ Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
     return match;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -7,8 +7,7 @@
 #include "engine/matching/match.h"
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Parameters of the ranker `skeleton`.
 struct SkeletonMatchOptions {
@@ -56,5 +55,4 @@ private:
                                        const SkeletonMatchOptions& options,
                                        SkeletonMatchWorkspace& workspace);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 std::vector<std::uint32_t> NodeClusters::sizes() const {
     std::vector<std::uint32_t> count(parent_.size(), 0);
@@ -16,5 +15,4 @@ std::vector<std::uint32_t> NodeClusters::sizes() const {
     return count;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

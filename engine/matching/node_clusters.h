@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Connected groups of matched nodes (thesis sec. 3.3.1: the sizes of clusters of matched nodes).
 class NodeClusters {
@@ -28,5 +27,4 @@ private:
     std::vector<char> matched_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 void PartEdit::sum_removals(const SampledTree& tree, float limit, Sides& sides) const {
     const std::size_t count = tree.nodes.size();
@@ -47,8 +46,9 @@ PartEdit::Place PartEdit::solve(const SampledTree& part, const SampledTree& whol
         forest_.resize(rows * columns_);
     }
     Choice ignored;
-    for (std::size_t i = 0; i < rows && !stop_.stop_requested(); ++i) {
+    for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns_; ++j) {
+            if (stop_.stop_requested()) return {};
             forest_[i * columns_ + j] = forest_cost(i, j, ignored);
             tree_[i * columns_ + j] = tree_cost(i, j, ignored);
         }
@@ -204,5 +204,4 @@ void PartEdit::exchanged(const SampledTree& part, const SampledTree& whole, cons
     }
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -9,8 +9,7 @@
 #include "engine/matching/assignment.h"
 #include "engine/matching/sampled_tree.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 struct PartEditCosts {
     double radius_weight = 0.7;  ///< times min(1, radius_gain / 2 * |ln r - ln r'|)
@@ -80,5 +79,4 @@ private:
     Assignment assignment_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 /// Limbs whose lengths differ by more are never taken for each other.
@@ -129,5 +128,4 @@ double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
     return pose_distance(a, b, match_skeletons(a, b, options, stop).correspondence, stop);
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -4,8 +4,7 @@
 
 #include "engine/matching/match_skeletons.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// How differently two skeletons stand, in [0, 1], as far as their parts belong together: of the
 /// nodes that match_skeletons matches, and of the middles of the limbs that end in them, the
@@ -24,5 +23,4 @@ inline namespace matching {
 [[nodiscard]] double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                                    const Correspondence& match, const std::stop_token& stop = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

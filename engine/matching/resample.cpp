@@ -4,8 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 ResampledCurve resample(std::span<const Vec3> points, std::span<const double> radii, double step,
                         int max_samples) {
@@ -58,5 +57,4 @@ ResampledCurve resample_part(std::span<const float> coordinates, std::span<const
     return resample_evenly(coordinates, radii, from, to, std::clamp(wanted, 1, max_steps));
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -5,8 +5,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// A curve with its radii at evenly spaced points.
 struct ResampledCurve {
@@ -35,5 +34,4 @@ struct ResampledCurve {
                                            std::span<const float> radii, double from, double to,
                                            int max_steps);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

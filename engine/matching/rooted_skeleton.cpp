@@ -10,8 +10,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 #include "engine/matching/skeleton_paths.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 /// How heavy a point of the skeleton is.
@@ -117,8 +116,9 @@ private:
     void add(std::uint32_t index, double from, double to) {
         const SkeletonDescriptor::Branch& branch = descriptor_.branches[index];
         const ResampledCurve curve = resample_part(branch.points, branch.radii, from, to,
-                                                   static_cast<int>(kMaxAlignedSteps));
-        const std::vector<DirectionStep> code = direction_code(curve.points, curve.radii);
+                                                   static_cast<int>(chain_code::kMaxAlignedSteps));
+        const std::vector<chain_code::DirectionStep> code =
+            chain_code::direction_code(curve.points, curve.radii);
         RootedSkeletons::Piece piece;
         piece.branch = index;
         piece.first_step = static_cast<std::uint32_t>(rooted_.steps.size());
@@ -290,11 +290,10 @@ RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor, const Rootin
         rooted.trees.push_back(finish(std::move(gathered)));
     }
     merge_trees(rooted);
-    std::vector<std::span<const DirectionStep>> codes;
+    std::vector<std::span<const chain_code::DirectionStep>> codes;
     for (std::uint32_t i = 0; i < rooted.pieces.size(); ++i) codes.push_back(rooted.code(i));
-    rooted.batch = CodeBatch(codes);
+    rooted.batch = chain_code::CodeBatch(codes);
     return rooted;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -8,8 +8,7 @@
 #include "engine/chain_code/direction_code.h"
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 struct SkeletonDescriptor;
 
@@ -55,14 +54,15 @@ struct RootedSkeletons {
         std::uint32_t step_count = 0;
         float length = 0.0F;  ///< over the scale
     };
-    std::vector<DirectionStep> steps;  ///< direction codes of all pieces, away from the root
+    std::vector<chain_code::DirectionStep>
+        steps;  ///< direction codes of all pieces, away from the root
     std::vector<Piece> pieces;
-    CodeBatch batch;                ///< the same codes, laid out for aligning one with all
+    chain_code::CodeBatch batch;    ///< the same codes, laid out for aligning one with all
     MergedTrees merged;             ///< of `trees`
     std::vector<RootedTree> trees;  ///< best root first; empty only for an empty skeleton
     std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of two skeletons
 
-    [[nodiscard]] std::span<const DirectionStep> code(std::uint32_t piece) const {
+    [[nodiscard]] std::span<const chain_code::DirectionStep> code(std::uint32_t piece) const {
         const Piece& p = pieces[piece];
         return {steps.data() + p.first_step, p.step_count};
     }
@@ -84,5 +84,4 @@ struct RootingOptions {
 [[nodiscard]] RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor,
                                             const RootingOptions& options = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

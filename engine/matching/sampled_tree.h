@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/matching/skeleton_descriptor.h"
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// A skeleton as trees of short pieces of equal length, so that a branch can be matched with part
 /// of another. A node stands for one piece and hangs from the piece before it on the way from the
@@ -42,9 +42,10 @@ struct SampleTreeOptions {
     bool every_top = false;
 };
 
+/// Empty once asked to stop.
 /// @pre the descriptor's matching data is derived
 [[nodiscard]] SampledTree sample_tree(const SkeletonDescriptor& descriptor,
-                                      const SampleTreeOptions& options = {});
+                                      const SampleTreeOptions& options = {},
+                                      const std::stop_token& stop = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-namespace ossuary {
-inline namespace matching {
+#include "engine/matching/relative_difference.h"
+
+namespace ossuary::matching {
 namespace {
 
 /// Euclidean distance of two signature vectors, the shorter filled up with zeros, over the sum of
@@ -25,10 +26,6 @@ float signature_difference(const std::vector<float>& x, const std::vector<float>
 
 float significance(const SkeletonDescriptor& skeleton, std::uint32_t node) {
     return skeleton.nodes[skeleton.hierarchy.nodes[node].graph_node].significance;
-}
-
-float relative_difference(float x, float y) {
-    return x + y > 0.0F ? std::abs(x - y) / (x + y) : 0.0F;
 }
 
 std::uint32_t rank_difference(const SignatureTree& a, const SignatureTree& b, std::uint32_t u,
@@ -167,9 +164,8 @@ const NodePairs& SignatureMatcher::match(const SkeletonDescriptor& a, const Skel
     if (a.hierarchy.nodes.empty() || b.hierarchy.nodes.empty()) return pairs_;
     weigh_pairs(a, b, options.significance_weight);
     match_inner_nodes(a.hierarchy, b.hierarchy);
-    match_end_points(a, b);
+    if (!stop_.stop_requested()) match_end_points(a, b);
     return pairs_;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -8,8 +8,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 #include "engine/matching/tree_edit.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Matched nodes of two skeletons' hierarchies, as indices into SignatureTree::nodes.
 using NodePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
@@ -53,5 +52,4 @@ private:
     Assignment assignment_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

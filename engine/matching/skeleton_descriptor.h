@@ -9,8 +9,7 @@
 #include "engine/matching/topological_signature.h"
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// All that the rankers `chain-code` and `skeleton` need of a model's skeleton: free of scale and
 /// position, a few kilobytes. Node and branch indices are those of the graph it was made from.
@@ -55,11 +54,11 @@ struct DescribeSkeletonOptions {
 ///                 5-element codes are read off that grid's lattice
 /// @param scale    the length to measure in (body_scale), in voxels too, > 0
 /// Leaves the volumes to the caller, who has the solid.
-SkeletonDescriptor describe_skeleton(const SkeletonGraph& refined, double scale,
+SkeletonDescriptor describe_skeleton(const skeleton::SkeletonGraph& refined, double scale,
                                      const DescribeSkeletonOptions& options = {});
 
 /// The same without chain codes and derived data: where the skeleton lies and how thick it is.
-SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
+SkeletonDescriptor trace_skeleton(const skeleton::SkeletonGraph& refined, double scale,
                                   const DescribeSkeletonOptions& options = {});
 
 /// Recomputes `rooted` and `hierarchy` from `nodes` and `branches`; what a store calls after
@@ -69,5 +68,4 @@ SkeletonDescriptor trace_skeleton(const SkeletonGraph& refined, double scale,
 ///      two points
 void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& options = {});
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

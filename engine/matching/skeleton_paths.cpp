@@ -5,8 +5,7 @@
 
 #include "engine/matching/skeleton_descriptor.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 SkeletonAdjacency skeleton_adjacency(const SkeletonDescriptor& descriptor) {
     SkeletonAdjacency adjacency;
@@ -45,5 +44,4 @@ SkeletonPaths shortest_paths(const SkeletonDescriptor& descriptor,
     return paths;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

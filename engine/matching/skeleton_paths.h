@@ -4,8 +4,7 @@
 #include <limits>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 struct SkeletonDescriptor;
 
@@ -36,5 +35,4 @@ struct SkeletonPaths {
                                            const SkeletonAdjacency& adjacency,
                                            std::uint32_t source);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

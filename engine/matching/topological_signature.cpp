@@ -8,8 +8,7 @@
 #include "engine/matching/skeleton_descriptor.h"
 #include "engine/matching/skeleton_paths.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 namespace {
 
 /// Nodes from the most to the least significant.
@@ -143,5 +142,4 @@ SignatureTree signature_tree(const SkeletonDescriptor& descriptor,
     return tree;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -5,8 +5,7 @@
 
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 struct SkeletonDescriptor;
 
@@ -44,5 +43,4 @@ struct SignatureOptions {
 /// `node`, k the number of its children; 0 for an end point.
 [[nodiscard]] double eigenvalue_sum(const TreeShape& tree, std::uint32_t node, int max_matrix_size);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 void TreeEdit::sum_removals(const TreeShape& tree, std::span<const float> remove,
                             std::vector<float>& whole, std::vector<float>& below) const {
@@ -40,6 +39,7 @@ void TreeEdit::solve(const TreeEditProblem& problem, std::stop_token stop) {
                 tree_[at] = problem.exchange[at];
                 continue;
             }
+            if (stop_.stop_requested()) return;  // a pair of hubs takes long by itself
             forest_[at] = forest_cost(problem, i, j, ignored);
             tree_[at] = tree_cost(problem, i, j, ignored);
         }
@@ -170,5 +170,4 @@ void TreeEdit::exchanged(const TreeEditProblem& problem, const Pair& roots,
     }
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

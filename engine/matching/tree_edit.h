@@ -9,8 +9,7 @@
 #include "engine/matching/assignment.h"
 #include "engine/matching/tree_shape.h"
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// Two trees with the costs of editing one into the other. Costs are finite and not negative;
 /// exchange(i, j) = exchange[i * b.size() + j] should not exceed remove_a[i] + remove_b[j].
@@ -68,5 +67,4 @@ private:
     Assignment assignment_;
 };
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -2,8 +2,7 @@
 
 #include <cassert>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 TreeShape tree_shape(std::span<const std::uint32_t> parents) {
     TreeShape shape;
@@ -36,5 +35,4 @@ TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children) {
     return shape;
 }
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace matching {
+namespace ossuary::matching {
 
 /// A rooted tree with its nodes numbered children before parents, the root the last; or several
 /// rooted trees that share subtrees.
@@ -29,5 +28,4 @@ struct TreeShape {
 /// @param children  of each node, each less than the node itself
 [[nodiscard]] TreeShape tree_shape(const std::vector<std::vector<std::uint32_t>>& children);
 
-}  // namespace matching
-}  // namespace ossuary
+}  // namespace ossuary::matching

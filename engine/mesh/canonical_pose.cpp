@@ -6,8 +6,7 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 // Corners of a triangle from the surface's centroid, over the model's size, so that the moments of
@@ -71,5 +70,4 @@ Mat3 canonical_pose(const TriangleMesh& mesh) {
     return axes;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

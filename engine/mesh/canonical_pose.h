@@ -3,8 +3,7 @@
 #include "engine/core/geometry.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// The model's own axes as columns, in model coordinates: the principal axes of its surface, widest
 /// first, each pointing to the side on which the surface reaches farther (the third moment along it
@@ -14,5 +13,4 @@ inline namespace mesh {
 /// A mesh without area gets the identity.
 Mat3 canonical_pose(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

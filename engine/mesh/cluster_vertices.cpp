@@ -9,8 +9,7 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::uint32_t kFree = 0xFFFFFFFFu;
@@ -135,5 +134,4 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     return coarse;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -4,8 +4,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Coarsens any surface, soups included: vertices that share a cell of a cubic grid become one, at
 /// their mean weighted by the area around them; triangles that collapse or repeat are dropped
@@ -14,5 +13,4 @@ inline namespace mesh {
 /// are left where it can be, and never more. Keeps no topology. Empty for a mesh without extent.
 TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangles);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -4,8 +4,7 @@
 
 #include "engine/mesh/disjoint_sets.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 MeshComponents connected_components(const TriangleMesh& mesh) {
     DisjointSets sets(mesh.vertices.size());
@@ -25,5 +24,4 @@ MeshComponents connected_components(const TriangleMesh& mesh) {
     return components;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

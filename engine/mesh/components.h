@@ -5,8 +5,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// The pieces of a surface: triangles that share a vertex belong together.
 struct MeshComponents {
@@ -17,5 +16,4 @@ struct MeshComponents {
 /// Finds the pieces by shared vertex indices; weld a soup first (weld.h).
 MeshComponents connected_components(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

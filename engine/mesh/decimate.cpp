@@ -8,8 +8,7 @@
 #include "engine/mesh/orient.h"
 #include "engine/mesh/weld.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 /// Drops unused vertices, joins the copies that parting made, and numbers the faces anew.
@@ -37,5 +36,4 @@ TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options) 
     return compact(cluster_vertices(welded, options.max_triangles));
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

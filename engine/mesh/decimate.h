@@ -4,8 +4,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 struct DecimateOptions {
     std::size_t max_triangles = 2000;
@@ -18,5 +17,4 @@ struct DecimateOptions {
 /// `face_of_triangle` of the result numbers its own triangles.
 TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options = {});
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

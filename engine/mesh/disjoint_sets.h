@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Union-find whose representative is always the smallest member, so that results do not depend on
 /// the order of the unions.
@@ -56,5 +55,4 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

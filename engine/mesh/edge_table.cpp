@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 struct Entry {
@@ -86,5 +85,4 @@ std::vector<std::array<std::uint32_t, 3>> adjacent_triangles(const TriangleMesh&
     return adjacent;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

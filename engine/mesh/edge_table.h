@@ -7,8 +7,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// The undirected edges of a mesh, each with the triangle sides that lie on it. A side is numbered
 /// 3 * triangle + corner and goes from that corner to the next one. Triangles that name a vertex
@@ -44,5 +43,4 @@ inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFu;
 std::vector<std::array<std::uint32_t, 3>> adjacent_triangles(const TriangleMesh& mesh,
                                                              const EdgeTable& table);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -9,8 +9,7 @@
 
 #include "engine/mesh/edge_table.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 struct Arc {
@@ -99,5 +98,4 @@ std::vector<double> GeodesicGraph::distances_from(std::span<const std::uint32_t>
     return distance;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -6,8 +6,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 struct GeodesicOptions {
     /// Besides the edges also go straight across each pair of neighbouring triangles, unfolded into
@@ -40,5 +39,4 @@ private:
     std::vector<Link> links_;
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -7,8 +7,7 @@
 
 #include "engine/mesh/manifold_fans.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
@@ -153,5 +152,4 @@ TriangleMesh HalfedgeMesh::to_triangle_mesh() const {
     return mesh;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

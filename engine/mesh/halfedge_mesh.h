@@ -7,8 +7,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// What had to be done to fit a surface into halfedges, where at most two triangles share an edge,
 /// in opposite directions, and one fan of triangles surrounds each vertex.
@@ -58,5 +57,4 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

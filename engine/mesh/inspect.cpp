@@ -7,8 +7,7 @@
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 std::size_t count_degenerate_faces(const TriangleMesh& mesh) {
@@ -118,5 +117,4 @@ std::vector<MeshWarning> surface_warnings(const TriangleMesh& mesh) {
     return warnings;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -6,8 +6,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// What kind of surface a mesh is. Vertices are told apart by index: weld first to see whether a
 /// soup closes up. Triangles that name a vertex twice take no part in edges and Euler number.
@@ -38,5 +37,4 @@ MeshReport inspect(const TriangleMesh& mesh);
 /// non_manifold_edges, unreferenced_vertices, no_triangles.
 std::vector<MeshWarning> surface_warnings(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

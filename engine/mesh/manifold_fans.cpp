@@ -5,8 +5,7 @@
 #include "engine/mesh/disjoint_sets.h"
 #include "engine/mesh/edge_table.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 ManifoldFans part_into_fans(const TriangleMesh& mesh) {
     // Corners of triangles that belong to one vertex of the result; two sides glued to each other
@@ -49,5 +48,4 @@ ManifoldFans part_into_fans(const TriangleMesh& mesh) {
     return fans;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

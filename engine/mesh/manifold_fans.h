@@ -6,8 +6,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// A mesh whose vertices are parted so that each is surrounded by one fan of triangles.
 struct ManifoldFans {
@@ -21,5 +20,4 @@ struct ManifoldFans {
 /// them everywhere else. Unused vertices are left out.
 ManifoldFans part_into_fans(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 Vec3 area_vector(const TriangleMesh& mesh, std::size_t triangle) {
@@ -59,5 +58,4 @@ MeshMeasures measure(const TriangleMesh& mesh) {
     return measures;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

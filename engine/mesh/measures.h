@@ -4,8 +4,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Sizes of a surface in model units. Only what triangles use counts; stray vertices do not.
 struct MeshMeasures {
@@ -30,5 +29,4 @@ MeshMeasures measure(const TriangleMesh& mesh);
 /// over that side is below 1e-12 of it).
 [[nodiscard]] bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

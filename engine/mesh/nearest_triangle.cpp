@@ -7,8 +7,7 @@
 
 #include "engine/mesh/vertex_normals.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::uint32_t kLeafTriangles = 4;
@@ -111,5 +110,4 @@ std::uint32_t NearestTriangle::of(const Vec3& point, const Vec3& normal) const {
     return query.best;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

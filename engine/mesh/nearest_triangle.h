@@ -7,8 +7,7 @@
 #include "engine/core/geometry.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// The point of a triangle (which may have no area) that is nearest to `point`.
 [[nodiscard]] Vec3 nearest_point_of(const std::array<Vec3, 3>& corners, const Vec3& point);
@@ -54,5 +53,4 @@ private:
     std::vector<Node> nodes_;
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -2,8 +2,7 @@
 
 #include <string>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -12,7 +11,7 @@ Error at_line(const OffScanner& scanner, ErrorCode code, const std::string& text
     return {code, "line " + std::to_string(scanner.line()) + ": " + text};
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.
 struct HeaderWord {
@@ -48,14 +47,15 @@ HeaderWord split_header_word(std::string_view token) {
 /// Reads the header word; false in `has_word` where the file starts with its counts.
 Result<OffHeader> read_word(OffScanner& scanner) {
     const std::string_view token = scanner.peek_token();
-    if (is_digit(token[0]) && token.find_first_not_of("0123456789") == std::string_view::npos) {
+    if (is_decimal_digit(token[0]) &&
+        token.find_first_not_of("0123456789") == std::string_view::npos) {
         OffHeader header;
         header.has_word = false;
         return header;
     }
     const HeaderWord word = split_header_word(token);
     const std::string_view glued = token.substr(word.length);
-    if (!word.recognised || (!glued.empty() && !is_digit(glued[0]) && glued != "BINARY")) {
+    if (!word.recognised || (!glued.empty() && !is_decimal_digit(glued[0]) && glued != "BINARY")) {
         return at_line(scanner, ErrorCode::kOffHeader,
                        "expected the header word OFF, found " + quoted_token(token));
     }
@@ -167,5 +167,4 @@ bool looks_like_off(std::string_view text) {
     return scanner.at_line_end();
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -5,8 +5,7 @@
 #include "engine/core/result.h"
 #include "engine/mesh/off_scanner.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// What stands before the first vertex of an OFF file.
 struct OffHeader {
@@ -28,5 +27,4 @@ Result<OffHeader> read_off_header(OffScanner& scanner);
 /// a line of three counts.
 [[nodiscard]] bool looks_like_off(std::string_view text);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -2,8 +2,7 @@
 
 #include <array>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 NumberStatus OffScanner::count_failure() const {
     const std::string_view token = peek_token();
@@ -31,5 +30,4 @@ std::string quoted_token(std::string_view token) {
     return quoted + "'";
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -8,8 +8,7 @@
 
 #include "engine/mesh/parse_number.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Walks through the text of an OFF file and counts its lines. Lines end with LF, CR LF or a lone
 /// CR; `#` starts a comment that lasts to the end of its line.
@@ -101,5 +100,4 @@ private:
 /// A token as it can be shown in a message: quoted, shortened, without control characters.
 [[nodiscard]] std::string quoted_token(std::string_view token);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

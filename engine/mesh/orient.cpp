@@ -5,8 +5,7 @@
 
 #include "engine/mesh/edge_table.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 /// Whether the volume under the patch, seen from the mean of its corners, is negative by more than
@@ -80,5 +79,4 @@ OrientResult orient(const TriangleMesh& mesh) {
     return result;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -4,8 +4,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 struct OrientResult {
     TriangleMesh mesh;  ///< the same triangles in the same order, some turned over
@@ -19,5 +18,4 @@ struct OrientResult {
 /// patches agree and face outwards comes back unchanged.
 OrientResult orient(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

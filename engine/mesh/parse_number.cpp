@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::array kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -101,5 +100,4 @@ ParsedNumber<double> parse_double(const char* begin, const char* end) {
     return number;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -1,7 +1,6 @@
 #pragma once
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 enum class NumberStatus {
     kOk,
@@ -23,5 +22,4 @@ struct ParsedNumber {
 /// locale, with an optional sign, and with exponents marked by e or E. Underflow gives zero.
 ParsedNumber<double> parse_double(const char* begin, const char* end);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -13,8 +13,7 @@
 #include "engine/mesh/read_off.h"
 #include "engine/mesh/recognise_format.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 struct FileContents {
@@ -101,5 +100,4 @@ bool is_model_file(const std::filesystem::path& path) {
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

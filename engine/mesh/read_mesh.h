@@ -9,8 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Caps that keep a hostile or broken file from taking the machine.
 struct ReadMeshOptions {
@@ -43,5 +42,4 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
 /// True for file names that the indexer should pick up in a folder (by extension, any case).
 [[nodiscard]] bool is_model_file(const std::filesystem::path& path);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -10,8 +10,7 @@
 #include "engine/mesh/off_scanner.h"
 #include "engine/mesh/triangulate.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::size_t kShortestVertex = 6;  // "0 0 0\n"
@@ -309,5 +308,4 @@ Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
     return {result.error().code, std::string(name) + ", " + result.error().message};
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -5,8 +5,7 @@
 #include "engine/core/result.h"
 #include "engine/mesh/read_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Reads the text of an OFF file (the Geomview manual, "OFF: Object File Format") and its
 /// relatives COFF, NOFF, STOFF and their combinations; `name` stands for the file in messages.
@@ -32,5 +31,4 @@ inline namespace mesh {
 Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
                                 const ReadMeshOptions& options = {});
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -8,8 +8,7 @@
 #include "engine/mesh/off_header.h"
 #include "engine/mesh/off_scanner.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 bool is_binary_stl(std::string_view bytes) {
@@ -93,5 +92,4 @@ std::string_view to_string(ModelFormat format) {
     return "unknown";
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -2,8 +2,7 @@
 
 #include <string_view>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Model formats that can be told by their contents.
 enum class ModelFormat {
@@ -28,5 +27,4 @@ enum class ModelFormat {
 /// The format's name for messages.
 [[nodiscard]] std::string_view to_string(ModelFormat format);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

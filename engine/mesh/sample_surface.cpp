@@ -6,8 +6,7 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 /// Uniform in [0, 1) in steps of 2^-53; the standard's own distributions differ between libraries.
@@ -50,5 +49,4 @@ std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh,
     return samples;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

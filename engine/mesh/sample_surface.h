@@ -5,8 +5,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 struct SampleSurfaceOptions {
     std::size_t count = 1024;
@@ -28,5 +27,4 @@ struct SurfaceSample {
 std::vector<SurfaceSample> sample_surface(const TriangleMesh& mesh,
                                           const SampleSurfaceOptions& options = {});
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

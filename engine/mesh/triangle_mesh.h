@@ -8,8 +8,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// A triangle soup with shared vertices: what every stage reads. It holds whatever a file may say
 /// (open, non-manifold, degenerate, several pieces); connectivity is asked of HalfedgeMesh.
@@ -37,5 +36,4 @@ struct MeshWarning {
     std::string message;    ///< for people
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -3,8 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
@@ -158,5 +157,4 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
     }
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -6,8 +6,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
 ///
@@ -52,5 +51,4 @@ private:
     std::vector<std::uint32_t> reflex_corners_;  // may name corners that are reflex no more
 };
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

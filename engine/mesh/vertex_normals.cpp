@@ -4,8 +4,7 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 std::vector<Vec3> triangle_normals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.triangles.size(), Vec3::Zero());
@@ -37,5 +36,4 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
     return normals;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

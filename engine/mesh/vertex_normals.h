@@ -4,8 +4,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// Unit normals at the vertices: the triangles' normals weighted by their angle at the vertex
 /// (Thürmer and Wüthrich, Computing Vertex Normals from Polygonal Facets, 1998), which does not
@@ -15,5 +14,4 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh);
 /// Unit normals of the triangles; zero for those without area.
 std::vector<Vec3> triangle_normals(const TriangleMesh& mesh);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -7,8 +7,7 @@
 
 #include "engine/mesh/measures.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -122,5 +121,4 @@ WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
     return result;
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -5,8 +5,7 @@
 
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 struct WeldOptions {
     /// Vertices at most this far from an earlier one, in parts of the bounding box's diagonal, are
@@ -27,5 +26,4 @@ struct WeldResult {
 /// leaves out unused vertices.
 WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options = {});
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -4,8 +4,7 @@
 #include <charconv>
 #include <fstream>
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 namespace {
 
 template <typename Number>
@@ -77,5 +76,4 @@ Result<void> write_obj(const TriangleMesh& mesh, const std::filesystem::path& pa
     return write_text(to_obj(mesh), path);
 }
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

@@ -6,8 +6,7 @@
 #include "engine/core/result.h"
 #include "engine/mesh/triangle_mesh.h"
 
-namespace ossuary {
-inline namespace mesh {
+namespace ossuary::mesh {
 
 /// The mesh as OFF text. Coordinates are written with the fewest digits that read back as the very
 /// same doubles; triangles stay triangles.
@@ -22,5 +21,4 @@ Result<void> write_off(const TriangleMesh& mesh, const std::filesystem::path& pa
 /// Writes an OBJ file. Errors: file_unwritable.
 Result<void> write_obj(const TriangleMesh& mesh, const std::filesystem::path& path);
 
-}  // namespace mesh
-}  // namespace ossuary
+}  // namespace ossuary::mesh

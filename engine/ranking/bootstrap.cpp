@@ -5,8 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kResamples = 2000;
@@ -56,5 +55,4 @@ BootstrapMean bootstrap_difference(const RetrievalReport& first, const Retrieval
     return bootstrap_mean(values);
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -4,8 +4,7 @@
 
 #include "engine/ranking/retrieval_metrics.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// A mean over queries with the interval that it would lie in for other queries of the same kind.
 struct BootstrapMean {
@@ -30,5 +29,4 @@ struct BootstrapMean {
                                                  const RetrievalReport& second,
                                                  double RetrievalMetrics::*measure);
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -2,11 +2,9 @@
 
 #include "engine/core/result.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// What every function of the ranker answers once it was asked to stop.
 inline Error cancelled() { return {ErrorCode::kCancelled, "ranking was given up"}; }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -8,8 +8,7 @@
 #include <optional>
 #include <unordered_map>
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 64u << 20;
@@ -252,5 +251,4 @@ Result<Classification> read_classification(const std::filesystem::path& path) {
     return parse_classification(text, path.string());
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

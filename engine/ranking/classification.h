@@ -8,8 +8,7 @@
 
 #include "engine/core/result.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// What a Princeton classification file (.cla, format "PSB 1") says: a tree of classes, each with
 /// models of its own. Only classes that list models themselves count when retrieval is evaluated;
@@ -54,5 +53,4 @@ Result<Classification> parse_classification(std::string_view text, std::string_v
 /// those of parse_classification.
 Result<Classification> read_classification(const std::filesystem::path& path);
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -6,8 +6,7 @@
 #include "engine/core/parallel.h"
 #include "engine/ranking/pair_distances.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// Calls body(meter, i) once for each i below `count` on `options.jobs` threads, in blocks that
 /// share a meter; `body` must write only what belongs to i. No more calls once asked to stop.
@@ -23,5 +22,4 @@ void for_each_with_meter(std::size_t count, const RankOptions& options, const Bo
     });
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 /// Tree edit distance, skeleton pairs, skeleton layout; views, surface pairs, local volume, radial
@@ -18,7 +17,7 @@ constexpr ComponentValues kHybridWeights = {5.0, 2.5, 1.0, 4.0, 1.5, 1.0, 1.5};
 /// Of the tree edit distance's weight under `skeleton`, what stays where the skeleton tells
 /// nothing.
 constexpr double kLeastTreeShare = 0.5;
-constexpr std::size_t kLayoutComponent = 1 + kSkeletonLayoutPlace;
+constexpr std::size_t kLayoutComponent = 1 + descriptor::kSkeletonLayoutPlace;
 /// What tells copies of a model from its likes: descriptors that are means over several grids, and
 /// views. A small change of the surface turns the tree over (its median distance to a noisy copy is
 /// .43 of the mean one, that to the nearest other model .49) and moves these little (pairs .07
@@ -68,13 +67,13 @@ struct SkeletonBuild {
     double tips = 0.0;
 };
 
-SkeletonBuild build_of(const SkeletonDescriptor& skeleton) {
+SkeletonBuild build_of(const matching::SkeletonDescriptor& skeleton) {
     SkeletonBuild build;
     build.solid_volume = std::max(static_cast<double>(skeleton.solid_volume), 1e-9);
     build.limb_share = static_cast<double>(skeleton.limb_volume) / build.solid_volume;
     build.branches = static_cast<double>(skeleton.branches.size());
     std::vector<int> degree(skeleton.nodes.size(), 0);
-    for (const SkeletonDescriptor::Branch& branch : skeleton.branches) {
+    for (const matching::SkeletonDescriptor::Branch& branch : skeleton.branches) {
         build.length += static_cast<double>(branch.length);
         ++degree[branch.a];
         ++degree[branch.b];
@@ -90,7 +89,7 @@ double smooth_step(double x, double low, double high) {
 }
 
 /// Deviations, the great ones cut off and the far negative ones compressed.
-double bounded(double deviations) {
+double bounded_deviations(double deviations) {
     if (deviations < kNearest) return kNearest - std::log1p(kNearest - deviations);
     return std::min(deviations, kMaxDeviations);
 }
@@ -103,7 +102,7 @@ double sum_of(const ComponentValues& values) {
 
 }  // namespace
 
-double skeleton_information(const SkeletonDescriptor& skeleton) {
+double skeleton_information(const matching::SkeletonDescriptor& skeleton) {
     const SkeletonBuild build = build_of(skeleton);
     // A single limb as long as the square root of the area is a rod; a ball has no length at all.
     const double by_length = std::min(build.length, 1.0);
@@ -119,7 +118,7 @@ double skeleton_information(const SkeletonDescriptor& skeleton) {
     return telling * of_limbs * of_tips * compact * thin;
 }
 
-FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
+FusionSide fusion_side(const descriptor::ModelDescriptor& model, const ModelScale& scale,
                        const RankOptions& options) {
     const double information = skeleton_information(model.skeleton);
     FusionSide side{scale, {}, kHybridNearness};
@@ -143,7 +142,7 @@ double fused_distance(const ComponentValues& distances, const FusionSide& a, con
     for (std::size_t c = 0; c < kComponentCount; ++c) {
         const double from_a = (distances[c] - a.scale.mean[c]) / a.scale.deviation[c];
         const double from_b = (distances[c] - b.scale.mean[c]) / b.scale.deviation[c];
-        deviations += weights[c] * bounded(0.5 * (from_a + from_b));
+        deviations += weights[c] * bounded_deviations(0.5 * (from_a + from_b));
     }
     const double near = sum_of(ratios(distances, a, b, shares(a.nearness, b.nearness))) / kNear;
     const double trace = kTrace * sum_of(ratios(distances, a, b, weights));
@@ -160,5 +159,4 @@ ComponentValues fused_parts(const ComponentValues& distances, const FusionSide& 
     return parts;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -3,14 +3,13 @@
 #include "engine/ranking/normalization.h"
 #include "engine/ranking/ranker.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// How telling a skeleton is, in [0, 1]: near 0 for a point or a short stub, where the body is a
 /// sheet or a lump beside its skeleton and where the skeleton has been spread over it with very
 /// many tips; near 1 for a body of some limbs. It scales the skeleton's weight in the fusion
 /// (thesis sec. 5.2 names the shapes without a telling skeleton).
-[[nodiscard]] double skeleton_information(const SkeletonDescriptor& skeleton);
+[[nodiscard]] double skeleton_information(const matching::SkeletonDescriptor& skeleton);
 
 /// What the fusion needs of one model beside its distances.
 struct FusionSide {
@@ -20,8 +19,8 @@ struct FusionSide {
 };
 
 /// @param options  ranker and pose count
-[[nodiscard]] FusionSide fusion_side(const ModelDescriptor& model, const ModelScale& scale,
-                                     const RankOptions& options);
+[[nodiscard]] FusionSide fusion_side(const descriptor::ModelDescriptor& model,
+                                     const ModelScale& scale, const RankOptions& options);
 
 /// The fused distance of two models. With z the distance of a component in standard deviations from
 /// the mean, as each of the two models sees it, averaged over both, and f the weighted mean of z
@@ -40,5 +39,4 @@ struct FusionSide {
 [[nodiscard]] ComponentValues fused_parts(const ComponentValues& distances, const FusionSide& a,
                                           const FusionSide& b);
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -7,8 +7,7 @@
 #include "engine/core/parallel.h"
 #include "engine/ranking/cancelled.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr double kFormat = 2.0;
@@ -35,7 +34,7 @@ constexpr double kPooledWeight = 4.0;
 constexpr double kLeastDeviation = 0.05;
 
 /// Identifies a descriptor by its signature, which every part of it has a share in.
-std::uint64_t model_key(const ModelDescriptor& model) {
+std::uint64_t model_key(const descriptor::ModelDescriptor& model) {
     std::uint64_t hash = 0x9E3779B97F4A7C15ULL ^ model.skeleton.rooted.content_key;
     for (const float value : model.signature) {
         std::uint32_t bits = 0;
@@ -163,7 +162,7 @@ Normalization::Normalization(const CollectionStatistics& statistics) : pooled_(k
     }
 }
 
-const ModelScale* Normalization::find(const ModelDescriptor& model) const {
+const ModelScale* Normalization::find(const descriptor::ModelDescriptor& model) const {
     if (known_.empty()) return nullptr;
     const auto found = known_.find(model_key(model));
     return found != known_.end() ? &found->second : nullptr;
@@ -208,5 +207,4 @@ Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, in
     return statistics;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -6,8 +6,7 @@
 
 #include "engine/ranking/pair_distances.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// How far other models typically are from one, in each component: what its distances are judged
 /// by, so that components of different units can be added and a model that is near to everything
@@ -29,13 +28,13 @@ public:
     explicit Normalization(const CollectionStatistics& statistics);
 
     /// The model's own scale where the statistics know it, else null.
-    [[nodiscard]] const ModelScale* find(const ModelDescriptor& model) const;
+    [[nodiscard]] const ModelScale* find(const descriptor::ModelDescriptor& model) const;
     [[nodiscard]] const ModelScale& pooled() const { return pooled_; }
     /// Models that the statistics are of.
     [[nodiscard]] std::size_t collection_size() const { return collection_size_; }
 
     /// Own scale or the pooled one.
-    [[nodiscard]] const ModelScale& scale(const ModelDescriptor& model) const {
+    [[nodiscard]] const ModelScale& scale(const descriptor::ModelDescriptor& model) const {
         const ModelScale* own = find(model);
         return own != nullptr ? *own : pooled_;
     }
@@ -55,5 +54,4 @@ private:
 [[nodiscard]] ModelScale scale_of_row(const std::vector<ComponentValues>& distances,
                                       const ModelScale& pooled);
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

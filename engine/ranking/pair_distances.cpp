@@ -6,12 +6,11 @@
 
 #include "engine/matching/pose_distance.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 std::string_view component_name(std::size_t component) {
     assert(component < kComponentCount);
-    return component == 0 ? "skeleton" : kGlobalDescriptorKinds[component - 1].name;
+    return component == 0 ? "skeleton" : descriptor::kGlobalDescriptorKinds[component - 1].name;
 }
 
 double PairMeter::pose_weight() const {
@@ -20,33 +19,36 @@ double PairMeter::pose_weight() const {
     return kFull * std::max(0.0, skeleton_options_.pose - kNone) / (1.0 - kNone);
 }
 
-double PairMeter::skeleton(const ModelDescriptor& a, const ModelDescriptor& b) {
+double PairMeter::skeleton(const descriptor::ModelDescriptor& a,
+                           const descriptor::ModelDescriptor& b) {
     const double weight = pose_weight();
     if (weight <= 0.0) {
-        return skeleton_distance(a.skeleton, b.skeleton, skeleton_options_, skeleton_workspace_);
+        return matching::skeleton_distance(a.skeleton, b.skeleton, skeleton_options_,
+                                           skeleton_workspace_);
     }
-    const Match match = match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
+    const matching::Match match = matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
     return match.distance +
-           weight * pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
+           weight * matching::pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
 }
 
-ComponentValues PairMeter::components(const ModelDescriptor& a, const ModelDescriptor& b) {
+ComponentValues PairMeter::components(const descriptor::ModelDescriptor& a,
+                                      const descriptor::ModelDescriptor& b) {
     ComponentValues values = global_components(a, b);
     values[0] = skeleton(a, b);
     return values;
 }
 
-ComponentValues PairMeter::global_components(const ModelDescriptor& a,
-                                             const ModelDescriptor& b) const {
+ComponentValues PairMeter::global_components(const descriptor::ModelDescriptor& a,
+                                             const descriptor::ModelDescriptor& b) const {
     ComponentValues values{};
     for (std::size_t c = 1; c < components_; ++c) {
         const bool both = a.globals.size() >= c && b.globals.size() >= c;
-        values[c] = both ? global_distance(a.globals[c - 1], b.globals[c - 1],
-                                           kGlobalDescriptorKinds[c - 1], pose_share_)
+        values[c] = both ? descriptor::global_distance(a.globals[c - 1], b.globals[c - 1],
+                                                       descriptor::kGlobalDescriptorKinds[c - 1],
+                                                       pose_share_)
                          : std::numeric_limits<double>::infinity();
     }
     return values;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -11,12 +11,11 @@
 #include "engine/matching/match_skeletons.h"
 #include "engine/ranking/ranker.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// What is fused: component 0 is the tree edit distance of the skeletons, the others are the global
 /// descriptors in the order of kGlobalDescriptorKinds. `skeleton` fuses the first three alone.
-inline constexpr std::size_t kComponentCount = 1 + kGlobalDescriptorKinds.size();
+inline constexpr std::size_t kComponentCount = 1 + descriptor::kGlobalDescriptorKinds.size();
 using ComponentValues = std::array<double, kComponentCount>;
 inline constexpr std::size_t kSkeletonComponents = 3;
 /// How many components, from the first, a ranker fuses; 0 for one that fuses nothing.
@@ -52,23 +51,28 @@ public:
         skeleton_options_.pose = options.pose;
     }
 
-    [[nodiscard]] double chain_code(const ModelDescriptor& a, const ModelDescriptor& b) {
-        return chain_code_distance(a.skeleton, b.skeleton, chain_code_options_,
-                                   chain_code_workspace_);
+    [[nodiscard]] double chain_code(const descriptor::ModelDescriptor& a,
+                                    const descriptor::ModelDescriptor& b) {
+        return matching::chain_code_distance(a.skeleton, b.skeleton, chain_code_options_,
+                                             chain_code_workspace_);
     }
     /// The tree edit distance and, beyond the default `pose`, how differently the two stand.
-    [[nodiscard]] double skeleton(const ModelDescriptor& a, const ModelDescriptor& b);
+    [[nodiscard]] double skeleton(const descriptor::ModelDescriptor& a,
+                                  const descriptor::ModelDescriptor& b);
     /// Of pose_distance beside the tree edit distance: none up to the default `pose`, because it
     /// says nothing of the class and costs as much as the tree edit distance.
     [[nodiscard]] double pose_weight() const;
     /// The components that the ranker fuses, each in its own unit; 0 for the others.
-    [[nodiscard]] ComponentValues components(const ModelDescriptor& a, const ModelDescriptor& b);
+    [[nodiscard]] ComponentValues components(const descriptor::ModelDescriptor& a,
+                                             const descriptor::ModelDescriptor& b);
     /// The same without the first, which costs twenty times the others together: 0 in its place.
-    [[nodiscard]] ComponentValues global_components(const ModelDescriptor& a,
-                                                    const ModelDescriptor& b) const;
+    [[nodiscard]] ComponentValues global_components(const descriptor::ModelDescriptor& a,
+                                                    const descriptor::ModelDescriptor& b) const;
 
-    [[nodiscard]] const SkeletonMatchOptions& skeleton_options() const { return skeleton_options_; }
-    [[nodiscard]] const ChainCodeMatchOptions& chain_code_options() const {
+    [[nodiscard]] const matching::SkeletonMatchOptions& skeleton_options() const {
+        return skeleton_options_;
+    }
+    [[nodiscard]] const matching::ChainCodeMatchOptions& chain_code_options() const {
         return chain_code_options_;
     }
 
@@ -76,11 +80,10 @@ private:
     std::size_t components_;
     double pose_share_;
     std::stop_token stop_;
-    ChainCodeMatchOptions chain_code_options_;
-    SkeletonMatchOptions skeleton_options_;
-    ChainCodeMatchWorkspace chain_code_workspace_;
-    SkeletonMatchWorkspace skeleton_workspace_;
+    matching::ChainCodeMatchOptions chain_code_options_;
+    matching::SkeletonMatchOptions skeleton_options_;
+    matching::ChainCodeMatchWorkspace chain_code_workspace_;
+    matching::SkeletonMatchWorkspace skeleton_workspace_;
 };
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

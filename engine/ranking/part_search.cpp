@@ -6,41 +6,40 @@
 #include "engine/matching/match_part.h"
 #include "engine/ranking/cancelled.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kBlock = 16;
 
-PartQuery part_query(const ModelDescriptor& part, const RankOptions& options) {
-    PartMatchOptions match;
+matching::PartQuery part_query(const descriptor::ModelDescriptor& part,
+                               const RankOptions& options) {
+    matching::PartMatchOptions match;
     match.costs.turn_weight = options.pose;
-    return PartQuery(part.skeleton, match, options.stop);
+    return matching::PartQuery(part.skeleton, match, options.stop);
 }
 
 }  // namespace
 
-Result<std::vector<double>> part_distances(const ModelDescriptor& part, DescriptorSpan collection,
+Result<std::vector<double>> part_distances(const descriptor::ModelDescriptor& part, DescriptorSpan collection,
                                            const RankOptions& options) {
-    const PartQuery query = part_query(part, options);
+    const matching::PartQuery query = part_query(part, options);
     std::vector<double> distances(collection.size());
     parallel_for((collection.size() + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
-        PartEdit workspace(options.stop);
+        matching::PartEdit workspace(options.stop);
         const std::size_t end = std::min(collection.size(), (block + 1) * kBlock);
         for (std::size_t i = block * kBlock; i < end && !options.stop.stop_requested(); ++i) {
-            distances[i] = part_distance(query, collection[i]->skeleton, workspace);
+            distances[i] = matching::part_distance(query, collection[i]->skeleton, workspace);
         }
     });
     if (options.stop.stop_requested()) return cancelled();
     return distances;
 }
 
-Result<Match> explain_part(const ModelDescriptor& part, const ModelDescriptor& whole,
+Result<matching::Match> explain_part(const descriptor::ModelDescriptor& part, const descriptor::ModelDescriptor& whole,
                            const RankOptions& options) {
-    Match match = match_part(part_query(part, options), whole.skeleton, options.stop);
+    matching::Match match = matching::match_part(part_query(part, options), whole.skeleton, options.stop);
     if (options.stop.stop_requested()) return cancelled();
     return match;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

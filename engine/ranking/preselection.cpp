@@ -12,8 +12,7 @@
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/rerank.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 /// A signature's values are at most 0.4 for the Princeton models.
@@ -36,7 +35,7 @@ void keep_nearest(std::vector<RankedModel>& models, std::size_t count) {
 /// A search in a large collection: what its stages share.
 class Search {
 public:
-    Search(const ModelDescriptor& query, DescriptorSpan collection,
+    Search(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
            const Normalization& normalization, const RankOptions& options)
         : query_(query),
           collection_(collection),
@@ -48,7 +47,7 @@ public:
     void measure(std::vector<RankedModel>& models, bool without_tree) const {
         const FusionSide query_side = without_tree ? without_tree_edit(side_) : side_;
         for_each_with_meter(models.size(), options_, [&](PairMeter& meter, std::size_t i) {
-            const ModelDescriptor& model = *collection_[models[i].index];
+            const descriptor::ModelDescriptor& model = *collection_[models[i].index];
             const FusionSide own = side_of(models[i].index);
             models[i].distance =
                 without_tree ? fused_distance(meter.global_components(query_, model), query_side,
@@ -90,7 +89,7 @@ private:
     }
 
     [[nodiscard]] FusionSide side_of(std::size_t index) const {
-        const ModelDescriptor& model = *collection_[index];
+        const descriptor::ModelDescriptor& model = *collection_[index];
         return fusion_side(model, normalization_.scale(model), options_);
     }
 
@@ -101,14 +100,14 @@ private:
         return side;
     }
 
-    const ModelDescriptor& query_;
+    const descriptor::ModelDescriptor& query_;
     DescriptorSpan collection_;
     const Normalization& normalization_;
     const RankOptions& options_;
     FusionSide side_;
 };
 
-Result<std::vector<RankedModel>> all_models(const ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
                                             const CollectionStatistics& statistics,
                                             const RankOptions& options, std::size_t count) {
     const auto distances = rank_distances(query, collection, statistics, options);
@@ -122,28 +121,29 @@ Result<std::vector<RankedModel>> all_models(const ModelDescriptor& query, Descri
 }  // namespace
 
 Preselection::Preselection(DescriptorSpan collection) : count_(collection.size()) {
-    bytes_.resize(count_ * kSignatureSize);
+    bytes_.resize(count_ * descriptor::kSignatureSize);
     for (std::size_t i = 0; i < count_; ++i) {
         const std::vector<float>& signature = collection[i]->signature;
-        const std::size_t size = std::min(signature.size(), kSignatureSize);
+        const std::size_t size = std::min(signature.size(), descriptor::kSignatureSize);
         for (std::size_t k = 0; k < size; ++k) {
-            bytes_[i * kSignatureSize + k] = to_byte(signature[k]);
+            bytes_[i * descriptor::kSignatureSize + k] = to_byte(signature[k]);
         }
     }
 }
 
 std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signature,
                                                  std::size_t count) const {
-    std::vector<std::uint8_t> query(kSignatureSize, 0);
-    std::transform(
-        signature.begin(),
-        signature.begin() + static_cast<std::ptrdiff_t>(std::min(signature.size(), kSignatureSize)),
-        query.begin(), to_byte);
+    std::vector<std::uint8_t> query(descriptor::kSignatureSize, 0);
+    std::transform(signature.begin(),
+                   signature.begin() + static_cast<std::ptrdiff_t>(
+                                           std::min(signature.size(), descriptor::kSignatureSize)),
+                   query.begin(), to_byte);
     // Distance and index in one number, so that selecting compares one.
     std::vector<std::uint64_t> order(count_);
     for (std::size_t i = 0; i < count_; ++i) {
         const std::uint64_t distance =
-            byte_distance(query.data(), bytes_.data() + i * kSignatureSize, kSignatureSize);
+            descriptor::byte_distance(query.data(), bytes_.data() + i * descriptor::kSignatureSize,
+                                      descriptor::kSignatureSize);
         order[i] = distance << 32 | i;
     }
     const std::size_t kept = std::min(count, count_);
@@ -157,7 +157,7 @@ std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signatur
     return indices;
 }
 
-Result<std::vector<RankedModel>> nearest_models(const ModelDescriptor& query,
+Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
                                                 DescriptorSpan collection,
                                                 const Preselection& preselection,
                                                 const CollectionStatistics& statistics,
@@ -186,5 +186,4 @@ Result<std::vector<RankedModel>> nearest_models(const ModelDescriptor& query,
     return models;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

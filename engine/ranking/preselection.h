@@ -7,8 +7,7 @@
 
 #include "engine/ranking/ranker.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// The signatures of a collection in one block of memory, a byte a value, for an exact scan:
 /// 100,000 of them are 26 MB and take a few milliseconds. On the Princeton collections the L1
@@ -50,12 +49,11 @@ struct NearestOptions {
 /// of the finalists wanted, and small collections are measured exhaustively. With `rerank` the
 /// nearest 200 finalists change places among themselves. Errors: cancelled.
 /// @param preselection  of this collection
-Result<std::vector<RankedModel>> nearest_models(const ModelDescriptor& query,
+Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
                                                 DescriptorSpan collection,
                                                 const Preselection& preselection,
                                                 const CollectionStatistics& statistics,
                                                 const RankOptions& options,
                                                 const NearestOptions& nearest = {});
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

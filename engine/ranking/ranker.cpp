@@ -15,8 +15,7 @@
 #include "engine/ranking/part_search.h"
 #include "engine/ranking/rerank.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalization& normalization,
@@ -32,8 +31,9 @@ std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalizat
 }
 
 /// The side of a query: known to the statistics, or to be judged by its own row.
-FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentValues>& row,
-                      const Normalization& normalization, const RankOptions& options) {
+FusionSide query_side(const descriptor::ModelDescriptor& query,
+                      const std::vector<ComponentValues>& row, const Normalization& normalization,
+                      const RankOptions& options) {
     if (const ModelScale* own = normalization.find(query)) {
         return fusion_side(query, *own, options);
     }
@@ -46,8 +46,8 @@ FusionSide query_side(const ModelDescriptor& query, const std::vector<ComponentV
     return fusion_side(query, scale_of_row(references, normalization.pooled()), options);
 }
 
-std::vector<double> row_distances(const ModelDescriptor& query, DescriptorSpan collection,
-                                  const Normalization& normalization,
+std::vector<double> row_distances(const descriptor::ModelDescriptor& query,
+                                  DescriptorSpan collection, const Normalization& normalization,
                                   const std::vector<FusionSide>& sides,
                                   const RankOptions& options) {
     std::vector<double> distances(collection.size());
@@ -79,9 +79,10 @@ double collection_distance(PairMeter& meter, DescriptorSpan collection,
 /// Models that the statistics do not know are judged by their own row as queries, so that their
 /// rows are not the mirror of their columns.
 bool all_known(DescriptorSpan collection, const Normalization& normalization) {
-    return std::all_of(collection.begin(), collection.end(), [&](const ModelDescriptor* model) {
-        return normalization.find(*model) != nullptr;
-    });
+    return std::all_of(collection.begin(), collection.end(),
+                       [&](const descriptor::ModelDescriptor* model) {
+                           return normalization.find(*model) != nullptr;
+                       });
 }
 
 /// The full matrix in double precision, each pair measured once.
@@ -101,25 +102,25 @@ std::vector<double> mirrored_matrix(DescriptorSpan collection, const std::vector
 }
 
 /// The tree edit distance's share of a fused distance, in the proportion of its own parts.
-std::vector<DistancePart> split(double share, const Match& match) {
-    std::vector<DistancePart> parts = match.parts;
-    for (DistancePart& part : parts) {
+std::vector<matching::DistancePart> split(double share, const matching::Match& match) {
+    std::vector<matching::DistancePart> parts = match.parts;
+    for (matching::DistancePart& part : parts) {
         part.value *= match.distance > 0.0 ? share / match.distance : 0.0;
     }
     return parts;
 }
 
-Match explain_whole(const ModelDescriptor& query, const ModelDescriptor& other,
+matching::Match explain_whole(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
                     const CollectionStatistics& statistics, const RankOptions& options) {
     PairMeter meter(options);
     if (options.ranker == RankerKind::kChainCode) {
-        return match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options(),
+        return matching::match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options(),
                                  options.stop);
     }
-    Match match =
-        match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options(), options.stop);
+    matching::Match match =
+        matching::match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options(), options.stop);
     if (const double weight = meter.pose_weight(); weight > 0.0) {
-        const double pose = weight * pose_distance(query.skeleton, other.skeleton,
+        const double pose = weight * matching::pose_distance(query.skeleton, other.skeleton,
                                                    match.correspondence, options.stop);
         match.parts.push_back({"pose", pose});
         match.distance += pose;
@@ -129,7 +130,7 @@ Match explain_whole(const ModelDescriptor& query, const ModelDescriptor& other,
     const FusionSide b = fusion_side(other, normalization.scale(other), options);
     const ComponentValues distances = meter.components(query, other);
     const ComponentValues parts = fused_parts(distances, a, b);
-    std::vector<DistancePart> named;
+    std::vector<matching::DistancePart> named;
     if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
     for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
         named.push_back({std::string(component_name(c)), parts[c]});
@@ -162,7 +163,7 @@ Result<RankerKind> parse_ranker(std::string_view name) {
             "ranker '" + std::string(name) + "'; expected hybrid, skeleton or chain-code"};
 }
 
-Result<std::vector<double>> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
                                            const CollectionStatistics& statistics,
                                            const RankOptions& options) {
     assert(!(options.part && options.rerank));
@@ -224,13 +225,12 @@ Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
     return matrix;
 }
 
-Result<Match> explain(const ModelDescriptor& query, const ModelDescriptor& other,
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
                       const CollectionStatistics& statistics, const RankOptions& options) {
     if (options.part) return explain_part(query, other, options);
-    Match match = explain_whole(query, other, statistics, options);
+    matching::Match match = explain_whole(query, other, statistics, options);
     if (options.stop.stop_requested()) return cancelled();
     return match;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -10,8 +10,7 @@
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/matching/match.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 enum class RankerKind {
     kHybrid,     ///< skeleton fused with global descriptors; the default
@@ -34,7 +33,7 @@ struct RankOptions {
     /// the ranker; not together with `rerank`.
     bool part = false;
     int jobs = 1;
-    std::stop_token stop;  ///< looked at every few milliseconds; then the outcome is `cancelled`
+    std::stop_token stop = {};  ///< looked at every few milliseconds; then the outcome is `cancelled`
 };
 
 /// What normalisation needs to know of a collection; made once for an index and stored with it.
@@ -50,7 +49,7 @@ struct DistanceMatrix {
     [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * size + j]; }
 };
 
-using DescriptorSpan = std::span<const ModelDescriptor* const>;
+using DescriptorSpan = std::span<const descriptor::ModelDescriptor* const>;
 
 /// The collection's own distance statistics: for each component and each model the mean
 /// and deviation of its distances to at most 500 models (fewer in collections above 2,000, so that
@@ -66,7 +65,7 @@ Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, in
 /// A query that the statistics do not know is judged by its distances to at most 500 models of the
 /// collection when that is at least half of what the statistics are of, else by the pooled scale.
 /// Errors: cancelled.
-Result<std::vector<double>> rank_distances(const ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
                                            const CollectionStatistics& statistics,
                                            const RankOptions& options = {});
 
@@ -83,8 +82,7 @@ Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
 /// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
 /// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
 /// Errors: cancelled.
-Result<Match> explain(const ModelDescriptor& query, const ModelDescriptor& other,
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
                       const CollectionStatistics& statistics, const RankOptions& options = {});
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

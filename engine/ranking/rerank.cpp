@@ -7,8 +7,7 @@
 
 #include "engine/core/parallel.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 /// The query (node 0 … or one of the models, when it is in the collection) and the models nearest
@@ -22,7 +21,7 @@ struct Neighborhood {
 };
 
 /// [0, infinity) to [0, 1), in order.
-double bounded(double distance) {
+double bounded_distance(double distance) {
     return std::isfinite(distance) ? distance / (1.0 + distance) : 1.0;
 }
 
@@ -55,13 +54,13 @@ Neighborhood gather(const std::vector<std::size_t>& head, const std::vector<doub
         const std::vector<double> row = collection(head[i], others);
         for (std::size_t n = 0; n < others.size(); ++n) {
             const std::size_t j = i + 1 + n;
-            const double d = bounded(row[n]);
+            const double d = bounded_distance(row[n]);
             all.distances[i * all.size + j] = d;
             all.distances[j * all.size + i] = d;
         }
     });
     for (std::size_t i = 0; i < head.size(); ++i) {
-        const double d = bounded(distances[head[i]]);
+        const double d = bounded_distance(distances[head[i]]);
         all.distances[all.query * all.size + i] = d;
         all.distances[i * all.size + all.query] = d;
     }
@@ -187,13 +186,14 @@ std::vector<double> rerank(const std::vector<double>& distances,
                            const CollectionDistances& collection, const RerankOptions& options,
                            int jobs) {
     std::vector<double> result(distances.size());
-    for (std::size_t j = 0; j < distances.size(); ++j) result[j] = 1.0 + bounded(distances[j]);
+    for (std::size_t j = 0; j < distances.size(); ++j)
+        result[j] = 1.0 + bounded_distance(distances[j]);
     const std::vector<std::size_t> head = head_of_list(distances, options.depth);
     if (head.empty()) return result;
     const Neighborhood all = gather(head, distances, collection, jobs);
     const std::vector<Encoding> encodings = encode(all, options);
     for (std::size_t i = 0; i < head.size(); ++i) {
-        const double original = bounded(distances[head[i]]);
+        const double original = bounded_distance(distances[head[i]]);
         const double overlap =
             i == all.query ? 0.0 : jaccard_distance(encodings[all.query], encodings[i]);
         result[head[i]] =
@@ -202,5 +202,4 @@ std::vector<double> rerank(const std::vector<double>& distances,
     return result;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 struct RerankOptions {
     std::size_t depth = 200;       ///< models at the head of a ranked list that take part
@@ -31,5 +30,4 @@ std::vector<double> rerank(const std::vector<double>& distances,
                            const CollectionDistances& collection, const RerankOptions& options = {},
                            int jobs = 1);
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

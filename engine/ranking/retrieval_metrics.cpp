@@ -8,8 +8,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kRecallLevels = 20;
@@ -207,5 +206,4 @@ RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
     return report;
 }
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -7,8 +7,7 @@
 
 #include "engine/ranking/ranker.h"
 
-namespace ossuary {
-inline namespace ranking {
+namespace ossuary::ranking {
 
 /// Retrieval quality of one query, or the mean over several. Definitions are those of the Princeton
 /// Shape Benchmark (Shilane et al., "The Princeton Shape Benchmark", SMI 2004, sec. 4): leave one
@@ -70,5 +69,4 @@ RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
                                    std::span<const std::string> labels,
                                    const RetrievalOptions& options = {});
 
-}  // namespace ranking
-}  // namespace ossuary
+}  // namespace ossuary::ranking

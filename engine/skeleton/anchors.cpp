@@ -11,8 +11,7 @@
 #include "engine/skeleton/shortest_paths.h"
 #include "engine/skeleton/simple_point.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// Tips are searched in blocks such that the longest side has at most this many: a search voxel by
@@ -20,7 +19,7 @@ namespace {
 /// classes .789 voxel by voxel, .788 in blocks of 2x2x2).
 constexpr int kLongestSideInBlocks = 64;
 
-int block_edge_for(const BitVolume& solid) {
+int block_edge_for(const voxel::BitVolume& solid) {
     int edge = 1;
     while (edge < 8 && solid.size().maxCoeff() > edge * kLongestSideInBlocks) edge *= 2;
     return edge;
@@ -38,7 +37,8 @@ public:
 
     /// The voxel of a block with the longest way to its centre. @pre there is a way
     [[nodiscard]] VoxelIndex farthest_of(const BlockGrid& blocks, VoxelIndex block,
-                                         const BitVolume& solid, const PaddedShape& shape) const {
+                                         const voxel::BitVolume& solid,
+                                         const PaddedShape& shape) const {
         std::optional<VoxelIndex> farthest;
         blocks.for_each_voxel_of(solid, block, [&](const Vec3i& position) {
             const VoxelIndex v = shape.index(position);
@@ -82,7 +82,7 @@ private:
 /// Where `v` closes a loop with the tree, as where it touches both sides of a corner, one more
 /// voxel of the solid may fill the loop: adds one that is simple and makes `v` simple. Returns
 /// whether there is one.
-bool fill_beside(VoxelIndex v, const BitVolume& solid, ThinningGrid& tree) {
+bool fill_beside(VoxelIndex v, const voxel::BitVolume& solid, ThinningGrid& tree) {
     const SimplePointTest& is_simple = SimplePointTest::shared();
     const auto steps = tree.shape().neighbor_steps();
     for (const Neighborhood kind : {kFaceNeighbors, kEdgeNeighbors, kCornerNeighbors}) {
@@ -99,7 +99,8 @@ bool fill_beside(VoxelIndex v, const BitVolume& solid, ThinningGrid& tree) {
     return false;
 }
 
-void add_path(const std::vector<VoxelIndex>& path, const BitVolume& solid, Anchors& anchors) {
+void add_path(const std::vector<VoxelIndex>& path, const voxel::BitVolume& solid,
+              Anchors& anchors) {
     const SimplePointTest& is_simple = SimplePointTest::shared();
     for (const VoxelIndex v : path) {
         if (!is_simple(anchors.voxels.neighborhood(v)) && !fill_beside(v, solid, anchors.voxels)) {
@@ -111,7 +112,7 @@ void add_path(const std::vector<VoxelIndex>& path, const BitVolume& solid, Ancho
 
 }  // namespace
 
-Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
+Anchors find_anchors(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
                      const ThinningOptions& options) {
     const PaddedShape shape(solid.size());
     Anchors anchors{ThinningGrid(shape), 0, true};
@@ -144,5 +145,4 @@ Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
     return anchors;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -3,8 +3,7 @@
 #include "engine/skeleton/thinning.h"
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// What anchored thinning must not delete.
 struct Anchors {
@@ -19,8 +18,7 @@ struct Anchors {
 /// deepest voxel; paths follow the shortest way to it with step cost length / r^2. Tips are taken
 /// while some voxel x has min over path voxels t of geodesic(x, t) - radius_factor * r(t) above
 /// the coverage of the options: the farthest first, at most max_tips in all.
-Anchors find_anchors(const BitVolume& solid, const DistanceField& distance,
+Anchors find_anchors(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
                      const ThinningOptions& options);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

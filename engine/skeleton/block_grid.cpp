@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// Pairs of neighbouring bits to single bits: their union, the 32 results side by side.
@@ -20,7 +19,8 @@ std::uint64_t halve(std::uint64_t bits) {
 /// Calls `visit(row, j, k)` for the voxel rows of a row of blocks that hold something; j and k are
 /// their places in the blocks along y and z.
 template <typename Visit>
-void for_each_row_of(const BitVolume& solid, int edge, int block_y, int block_z, Visit&& visit) {
+void for_each_row_of(const voxel::BitVolume& solid, int edge, int block_y, int block_z,
+                     Visit&& visit) {
     const int rows_y = std::min(edge, solid.size().y() - block_y * edge);
     const int rows_z = std::min(edge, solid.size().z() - block_z * edge);
     for (int k = 0; k < rows_z; ++k) {
@@ -33,8 +33,8 @@ void for_each_row_of(const BitVolume& solid, int edge, int block_y, int block_z,
     }
 }
 
-ThinningGrid occupied_blocks(const BitVolume& solid, int edge) {
-    BitVolume blocks((solid.size().array() + (edge - 1)) / edge);
+ThinningGrid occupied_blocks(const voxel::BitVolume& solid, int edge) {
+    voxel::BitVolume blocks((solid.size().array() + (edge - 1)) / edge);
     const auto per_word = static_cast<std::size_t>(64 / edge);
     std::vector<std::uint64_t> all(solid.words_per_row());
     for (int z = 0; z < blocks.size().z(); ++z) {
@@ -112,7 +112,7 @@ constexpr std::array<std::array<Neighborhood, 4>, 9> kCentreOfNeighbors = [] {
 
 }  // namespace
 
-BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge)
+BlockGrid::BlockGrid(const voxel::BitVolume& solid, const voxel::DistanceField& distance, int edge)
     : edge_(edge),
       occupied_(occupied_blocks(solid, edge)),
       layout_(occupied_),
@@ -132,7 +132,7 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
                 reach.add(row, j, k);
                 const int y = position.y() * edge + j;
                 const int z = position.z() * edge + k;
-                const DistanceField::Row& stored = distance.row(y, z);
+                const voxel::DistanceField::Row& stored = distance.row(y, z);
                 const std::uint32_t* depths = distance.squared_row(y, z);
                 const int end = std::min(stored.end, solid.size().x());
                 for (int x = stored.begin; x < end; ++x) {
@@ -151,7 +151,7 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
     link(reached);
 }
 
-BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge,
+BlockGrid::BlockGrid(const voxel::BitVolume& solid, const voxel::DistanceField& distance, int edge,
                      ThinningGrid candidates)
     : edge_(edge),
       occupied_(std::move(candidates)),
@@ -167,8 +167,8 @@ BlockGrid::BlockGrid(const BitVolume& solid, const DistanceField& distance, int 
     link(reached);
 }
 
-Neighborhood BlockGrid::add_block(const BitVolume& solid, const DistanceField& distance,
-                                  VoxelIndex block) {
+Neighborhood BlockGrid::add_block(const voxel::BitVolume& solid,
+                                  const voxel::DistanceField& distance, VoxelIndex block) {
     const Vec3i first = shape().position(block) * edge_;
     Neighborhood reached = 0;
     std::uint32_t deepest = 0;
@@ -213,5 +213,4 @@ void BlockGrid::link(const std::vector<Neighborhood>& reached) {
     });
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -3,8 +3,7 @@
 #include "engine/skeleton/row_layout.h"
 #include "engine/voxel/distance_transform.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// A solid at a fraction of its resolution: blocks of edge^3 voxels that hold some of it, with
 /// links between two blocks where a voxel of one is a 26-neighbour of a voxel of the other. Up to
@@ -14,14 +13,14 @@ inline namespace skeleton {
 class BlockGrid {
 public:
     /// @param edge  1, 2, 4 or 8 voxels
-    BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge);
+    BlockGrid(const voxel::BitVolume& solid, const voxel::DistanceField& distance, int edge);
     /// Only of the blocks among `candidates`, as if the solid had no voxels elsewhere: the cost
     /// follows their number.
-    BlockGrid(const BitVolume& solid, const DistanceField& distance, int edge,
+    BlockGrid(const voxel::BitVolume& solid, const voxel::DistanceField& distance, int edge,
               ThinningGrid candidates);
 
     /// Of the grid of all blocks.
-    static PaddedShape shape_of(const BitVolume& solid, int edge) {
+    static PaddedShape shape_of(const voxel::BitVolume& solid, int edge) {
         return PaddedShape((solid.size().array() + (edge - 1)) / edge);
     }
 
@@ -43,7 +42,7 @@ public:
     }
     /// Calls `visit(Vec3i)` for every voxel of the solid in a block.
     template <typename Visit>
-    void for_each_voxel_of(const BitVolume& solid, VoxelIndex block, Visit&& visit) const {
+    void for_each_voxel_of(const voxel::BitVolume& solid, VoxelIndex block, Visit&& visit) const {
         const Vec3i first = shape().position(block) * edge_;
         const Vec3i end = (first.array() + edge_).min(solid.size().array()).matrix();
         for (int z = first.z(); z < end.z(); ++z) {
@@ -58,12 +57,14 @@ public:
 
 private:
     /// The voxels of a block in one of its rows; `x` is the block's first.
-    [[nodiscard]] std::uint64_t bits_of_row(const BitVolume& solid, int x, int y, int z) const {
+    [[nodiscard]] std::uint64_t bits_of_row(const voxel::BitVolume& solid, int x, int y,
+                                            int z) const {
         const auto column = static_cast<std::size_t>(x);
         return solid.row(y, z)[column / 64] >> column % 64 & ((std::uint64_t{1} << edge_) - 1);
     }
     /// Measures a block. Returns what its voxels reach, with itself; nothing where it has none.
-    Neighborhood add_block(const BitVolume& solid, const DistanceField& distance, VoxelIndex block);
+    Neighborhood add_block(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+                           VoxelIndex block);
     /// @param reached  by place
     void link(const std::vector<Neighborhood>& reached);
 
@@ -74,5 +75,4 @@ private:
     std::vector<std::uint32_t> squared_;
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,8 +8,7 @@
 
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// A monotone queue of voxels by level (a small integer that never falls below the one being
 /// served): a ring of lists with a bitmap of those that are not empty. Used by shortest paths with
@@ -100,5 +99,4 @@ private:
     std::size_t size_ = 0;
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

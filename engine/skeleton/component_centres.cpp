@@ -5,21 +5,21 @@
 
 #include "engine/voxel/components.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
-std::vector<ComponentCentre> component_centres(const BitVolume& solid,
-                                               const DistanceField& distance) {
-    const Components components = label_components(solid, Connectivity::kVertices);
+std::vector<ComponentCentre> component_centres(const voxel::BitVolume& solid,
+                                               const voxel::DistanceField& distance) {
+    const voxel::Components components =
+        voxel::label_components(solid, voxel::Connectivity::kVertices);
     std::vector<ComponentCentre> centres(components.count());
     // Sums of whole numbers: exact, so the same in any order of summation.
     std::vector<Vec3> gravity(components.count(), Vec3::Zero());
-    const auto squared_row = [&](const VoxelRun& run) {
+    const auto squared_row = [&](const voxel::VoxelRun& run) {
         return distance.squared_row(run.y, run.z);
     };
     std::vector<std::uint32_t> deepest_of_run;
     deepest_of_run.reserve(components.runs.size());
-    for (const VoxelRun& run : components.runs) {
+    for (const voxel::VoxelRun& run : components.runs) {
         ComponentCentre& centre = centres[run.component];
         const std::uint32_t* row = squared_row(run);
         std::uint32_t deepest = 0;
@@ -35,7 +35,7 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     const PaddedShape shape(solid.size());
     std::vector<double> nearest(centres.size(), std::numeric_limits<double>::infinity());
     for (std::size_t r = 0; r < components.runs.size(); ++r) {
-        const VoxelRun& run = components.runs[r];
+        const voxel::VoxelRun& run = components.runs[r];
         const std::uint32_t* row = squared_row(run);
         const std::size_t i = run.component;
         if (deepest_of_run[r] != centres[i].squared_radius) continue;
@@ -51,5 +51,4 @@ std::vector<ComponentCentre> component_centres(const BitVolume& solid,
     return centres;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -6,8 +6,7 @@
 #include "engine/skeleton/thinning_grid.h"
 #include "engine/voxel/distance_transform.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The deepest voxel of a 26-connected component; of several the nearest to the component's centre
 /// of gravity, which does not depend on the order of the axes.
@@ -17,8 +16,7 @@ struct ComponentCentre {
 };
 
 /// One for each 26-component of the solid, in the order of their first voxels.
-std::vector<ComponentCentre> component_centres(const BitVolume& solid,
-                                               const DistanceField& distance);
+std::vector<ComponentCentre> component_centres(const voxel::BitVolume& solid,
+                                               const voxel::DistanceField& distance);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

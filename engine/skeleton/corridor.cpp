@@ -4,13 +4,13 @@
 #include <bit>
 #include <cassert>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 class Corridor {
 public:
-    Corridor(const BlockGrid& blocks, const BitVolume& solid, const DistanceField& distance)
+    Corridor(const BlockGrid& blocks, const voxel::BitVolume& solid,
+             const voxel::DistanceField& distance)
         : blocks_(blocks), solid_(solid), distance_(distance), voxels_(PaddedShape(solid.size())) {}
 
     /// @param least  squared depth of what is taken beside the block
@@ -51,8 +51,8 @@ private:
     }
 
     const BlockGrid& blocks_;
-    const BitVolume& solid_;
-    const DistanceField& distance_;
+    const voxel::BitVolume& solid_;
+    const voxel::DistanceField& distance_;
     ThinningGrid voxels_;
 };
 
@@ -71,8 +71,8 @@ std::uint32_t least_beside(VoxelIndex block, const ThinningGrid& tree, const Blo
 
 }  // namespace
 
-ThinningGrid corridor_along(const PathsInBlocks& paths, const BitVolume& solid,
-                            const DistanceField& distance) {
+ThinningGrid corridor_along(const PathsInBlocks& paths, const voxel::BitVolume& solid,
+                            const voxel::DistanceField& distance) {
     const BlockGrid& blocks = paths.blocks;
     const ThinningGrid& tree = paths.tips.tree;
     assert(blocks.edge() <= 2);
@@ -83,5 +83,4 @@ ThinningGrid corridor_along(const PathsInBlocks& paths, const BitVolume& solid,
     return corridor.take();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

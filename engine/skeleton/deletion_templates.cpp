@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 struct Template {
@@ -95,5 +94,4 @@ bool is_tail(Neighborhood object) {
     return (dilate_26(neighbors & (~neighbors + 1)) & neighbors) == neighbors;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/neighborhood.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Whether a neighbourhood fits one of the deletion templates of fully parallel thinning (Ma &
 /// Sonka, "A fully parallel 3D thinning algorithm and its applications", 1996), in their classes
@@ -19,5 +18,4 @@ inline namespace skeleton {
 /// points are never candidates, so that lines keep their ends.
 [[nodiscard]] bool is_tail(Neighborhood object);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

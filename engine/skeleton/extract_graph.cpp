@@ -6,8 +6,7 @@
 #include "engine/skeleton/junction_clusters.h"
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// Clusters above this many voxels are closed surfaces, not junctions: they become one node as they
@@ -16,7 +15,7 @@ constexpr std::size_t kLargestSplitCluster = 200;
 
 class GraphExtraction {
 public:
-    GraphExtraction(const BitVolume& skeleton, const DistanceField& distance)
+    GraphExtraction(const voxel::BitVolume& skeleton, const voxel::DistanceField& distance)
         : grid_(skeleton), distance_(distance), steps_(grid_.shape().neighbor_steps()) {}
 
     SkeletonGraph run() {
@@ -172,7 +171,7 @@ private:
     }
 
     ThinningGrid grid_;
-    const DistanceField& distance_;
+    const voxel::DistanceField& distance_;
     std::array<std::int32_t, 27> steps_;
     SkeletonGraph graph_;
     std::vector<std::vector<VoxelIndex>> voxels_of_;  ///< of each node
@@ -182,9 +181,9 @@ private:
 
 }  // namespace
 
-SkeletonGraph extract_graph(const BitVolume& skeleton, const DistanceField& distance) {
+SkeletonGraph extract_graph(const voxel::BitVolume& skeleton,
+                            const voxel::DistanceField& distance) {
     return GraphExtraction(skeleton, distance).run();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

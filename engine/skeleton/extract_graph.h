@@ -4,8 +4,7 @@
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/distance_transform.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The graph of a skeleton of unit width (thesis sec. 3.2.2), in voxels of the grid: a voxel's
 /// centre is at its index plus one half, radii are distances to the nearest background centre.
@@ -16,7 +15,6 @@ inline namespace skeleton {
 /// degree 2 at its deepest voxel, an isolated voxel one of degree 0. Where the skeleton is a set of
 /// curves, the graph has as many cycles as the skeleton has tunnels; a closed surface, which
 /// thinning keeps around a cavity, is drawn together into a few nodes instead.
-SkeletonGraph extract_graph(const BitVolume& skeleton, const DistanceField& distance);
+SkeletonGraph extract_graph(const voxel::BitVolume& skeleton, const voxel::DistanceField& distance);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -6,8 +6,7 @@
 
 #include "engine/skeleton/shortest_paths.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// The blocks of half the edge that the tree's consist of. (With one more around them six times as
@@ -54,8 +53,9 @@ std::optional<Tips> tips_in(const BlockGrid& blocks, const PathsInBlocks& coarse
 
 }  // namespace
 
-PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
-                          const DistanceField& distance, const std::vector<VoxelIndex>& centres) {
+PathsInBlocks finer_paths(const PathsInBlocks& coarse, const voxel::BitVolume& solid,
+                          const voxel::DistanceField& distance,
+                          const std::vector<VoxelIndex>& centres) {
     assert(coarse.blocks.edge() % 2 == 0);
     const int edge = coarse.blocks.edge() / 2;
     const PaddedShape voxels(solid.size());
@@ -73,5 +73,4 @@ PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
     return {std::move(all), std::move(tips)};
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

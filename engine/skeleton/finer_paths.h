@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/tip_search.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Tips and the tree of their paths in blocks of one edge.
 struct PathsInBlocks {
@@ -16,8 +15,8 @@ struct PathsInBlocks {
 /// not, paths are looked for in the whole solid.
 /// @param centres  voxels, in PaddedShape(solid.size())
 /// @pre the edge is even
-PathsInBlocks finer_paths(const PathsInBlocks& coarse, const BitVolume& solid,
-                          const DistanceField& distance, const std::vector<VoxelIndex>& centres);
+PathsInBlocks finer_paths(const PathsInBlocks& coarse, const voxel::BitVolume& solid,
+                          const voxel::DistanceField& distance,
+                          const std::vector<VoxelIndex>& centres);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 #include <cassert>
 #include <optional>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 using Branch = SkeletonGraph::Branch;
@@ -116,5 +115,4 @@ void contract_branch(SkeletonGraph& graph, std::uint32_t branch) {
     erase_node(graph, gone);
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The end of a branch that hangs on a junction by its other end: a leaf.
 struct Leaf {
@@ -27,5 +26,4 @@ void join_degree_two_nodes(SkeletonGraph& graph);
 /// weighted by radius. Components and cycles stay; indices change. @pre branch.a != branch.b
 void contract_branch(SkeletonGraph& graph, std::uint32_t branch);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

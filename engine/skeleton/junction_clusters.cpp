@@ -7,8 +7,7 @@
 
 #include "engine/skeleton/simple_point.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 using Corner = std::tuple<int, int, int>;
@@ -100,5 +99,4 @@ int contacts(const std::vector<VoxelIndex>& a, const std::vector<VoxelIndex>& b,
     return count;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

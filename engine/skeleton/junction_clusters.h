@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Splits a 26-connected set of voxels into pieces without tunnels or cavities, so that each can be
 /// drawn together into one node. Most sets are one piece; a ring of junction voxels is several.
@@ -17,5 +16,4 @@ std::vector<std::vector<VoxelIndex>> contractible_pieces(const std::vector<Voxel
 int contacts(const std::vector<VoxelIndex>& a, const std::vector<VoxelIndex>& b,
              const PaddedShape& shape);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

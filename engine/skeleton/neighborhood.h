@@ -4,8 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The 3x3x3 neighbourhood of a voxel as 27 bits: bit (dz+1)*9 + (dy+1)*3 + (dx+1) is the voxel at
 /// offset (dx, dy, dz); bit 13 is the voxel itself.
@@ -97,5 +96,4 @@ void for_each_bit(Neighborhood set, Visit&& visit) {
     for (; set != 0; set &= set - 1) visit(std::countr_zero(set));
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// The sum of the distances from `node` to its nearest points, as many as `nearest` has room for.
@@ -55,5 +54,4 @@ void set_significance(SkeletonGraph& graph, std::span<const double> distance_sum
     }
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -5,8 +5,7 @@
 
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The second sum of eq. 3.3 (thesis sec. 3.2.3) for each node: its distances to the `closest`
 /// nearest points of the surface (to all of them where there are fewer).
@@ -18,5 +17,4 @@ std::vector<double> surface_distance_sums(const SkeletonGraph& graph, std::span<
 /// @pre degrees are up to date; distance_sums is as long as graph.nodes
 void set_significance(SkeletonGraph& graph, std::span<const double> distance_sums);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

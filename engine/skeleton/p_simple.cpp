@@ -1,7 +1,6 @@
 #include "engine/skeleton/p_simple.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// The cells one step from those of a set, in one of the six directions.
@@ -57,5 +56,4 @@ bool is_p_simple(const SimplePointTest& simple_point, Neighborhood object,
     return faces == 0 || (faces & ~faces_beside_background(~object & k18Neighbors)) == 0;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

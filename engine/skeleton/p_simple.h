@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/simple_point.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Whether a voxel is P-simple: simple whichever others of the candidate set P have gone before it,
 /// so that all P-simple points of P may be deleted together without changing the topology. Local
@@ -14,5 +13,4 @@ inline namespace skeleton {
 [[nodiscard]] bool is_p_simple(const SimplePointTest& simple_point, Neighborhood object,
                                Neighborhood candidates);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

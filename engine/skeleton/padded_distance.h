@@ -6,13 +6,12 @@
 #include "engine/skeleton/thinning_grid.h"
 #include "engine/voxel/distance_field.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// A distance field by the indices of a padded shape.
 class PaddedDistance {
 public:
-    PaddedDistance(const DistanceField& distance, const PaddedShape& shape)
+    PaddedDistance(const voxel::DistanceField& distance, const PaddedShape& shape)
         : values_(distance.values().data()), row_(shape.row()) {
         const Vec3i size = distance.size();
         rows_in_plane_ = static_cast<std::uint32_t>(size.y()) + 2;
@@ -46,5 +45,4 @@ private:
     std::vector<std::ptrdiff_t> starts_;  ///< what to add to an index, by row
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,20 +8,19 @@
 #include "engine/skeleton/p_simple.h"
 #include "engine/voxel/border.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 class ParallelThinning {
 public:
-    explicit ParallelThinning(const BitVolume& solid)
+    explicit ParallelThinning(const voxel::BitVolume& solid)
         : object_(solid),
           candidates_(object_.shape()),
           quiet_(object_),
           waits_(object_.shape()),
           turned_(object_.shape()),
           steps_(object_.shape().neighbor_steps()) {
-        for_each_voxel(border(solid), [&](const Vec3i& position) {
+        voxel::for_each_voxel(voxel::border(solid), [&](const Vec3i& position) {
             const VoxelIndex v = object_.shape().index(position);
             quiet_.reset(v);
             changed_.push_back(v);
@@ -175,7 +174,8 @@ private:
 
 }  // namespace
 
-ThinningGrid thin_in_parallel(const BitVolume& solid) { return ParallelThinning(solid).run(); }
+ThinningGrid thin_in_parallel(const voxel::BitVolume& solid) {
+    return ParallelThinning(solid).run();
+}
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,13 +8,13 @@
 #include "engine/skeleton/simple_point.h"
 #include "engine/voxel/border.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 class Peeling {
 public:
-    Peeling(const BitVolume& solid, const DistanceField& distance, const ThinningGrid& keep)
+    Peeling(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+            const ThinningGrid& keep)
         : object_(solid),
           fresh_(object_),
           idle_(object_.shape()),
@@ -27,7 +27,7 @@ public:
                 o.dz * static_cast<std::int32_t>(depth_.rows_in_plane()) + o.dy;
         }
         keep.for_each([&](VoxelIndex v) { fresh_.reset(v); });
-        for_each_voxel(border(solid), [&](const Vec3i& position) {
+        voxel::for_each_voxel(voxel::border(solid), [&](const Vec3i& position) {
             const VoxelIndex v = object_.shape().index(position);
             if (!fresh_.test(v)) return;
             fresh_.reset(v);
@@ -126,9 +126,9 @@ private:
 
 }  // namespace
 
-ThinningGrid peel(const BitVolume& solid, const DistanceField& distance, const ThinningGrid& keep) {
+ThinningGrid peel(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+                  const ThinningGrid& keep) {
     return Peeling(solid, distance, keep).run();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -6,8 +6,7 @@
 
 #include "engine/skeleton/graph_surgery.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 struct RankedLeaf {
@@ -91,5 +90,4 @@ void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options)
     }
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

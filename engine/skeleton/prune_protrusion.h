@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 struct ProtrusionOptions {
     double min_protrusion = 1.6;  ///< reach / junction radius below which a leaf goes
@@ -21,5 +20,4 @@ double protrusion(const SkeletonGraph& graph, std::uint32_t branch, std::uint32_
 /// component goes.
 void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options = {});
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -5,8 +5,7 @@
 #include "engine/skeleton/graph_surgery.h"
 #include "engine/skeleton/node_significance.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// The mean of S / degree over the nodes of a degree other than 0 and 2.
@@ -52,5 +51,4 @@ void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
     }
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Pruning of thesis sec. 3.2.3: a leaf goes while the significance (eq. 3.3) of its tip v_m is
 /// below  degree(v_m) * sum over the nodes of S(v_n) / degree(v_n), divided by (t_k * n),  the sum
@@ -17,5 +16,4 @@ inline namespace skeleton {
 void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
                            double significance_scale);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

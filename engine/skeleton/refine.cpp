@@ -8,8 +8,7 @@
 #include "engine/skeleton/prune_protrusion.h"
 #include "engine/skeleton/prune_significance.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 struct PruningMethodName {
@@ -88,5 +87,4 @@ RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surfa
     return result;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,8 +8,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 #include "engine/skeleton/smooth.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 enum class PruningMethod {
     kProtrusion,    ///< ours: reach against the junction's radius
@@ -46,5 +45,4 @@ struct RefinedSkeleton {
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
                        const RefineOptions& options = {});
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,8 +8,7 @@
 
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Places for values of a set's voxels and of all their neighbours, row by row without the rest of
 /// the grid: what belongs to a thin set lies close together in memory. The neighbours at dx = -1, 0
@@ -109,5 +108,4 @@ private:
     std::array<std::size_t, 9> rows_;
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

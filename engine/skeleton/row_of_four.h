@@ -9,8 +9,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Four neighbours along a row, of which the last is one too many.
 using RowOfFour [[gnu::vector_size(16)]] = float;
@@ -37,5 +36,4 @@ inline constexpr std::array<std::array<float, 4>, 9> kRowLengths = [] {
     return lengths;
 }();
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

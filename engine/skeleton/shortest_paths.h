@@ -8,8 +8,7 @@
 #include "engine/skeleton/row_layout.h"
 #include "engine/skeleton/row_of_four.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 inline constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
@@ -102,5 +101,4 @@ VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
     return paths;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

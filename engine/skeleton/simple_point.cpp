@@ -2,8 +2,7 @@
 
 #include <memory>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 constexpr std::array<std::uint8_t, 26> kTableOrder = [] {
@@ -106,5 +105,4 @@ const SimplePointTest& SimplePointTest::shared() {
     return *instance;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/neighborhood.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Whether removing the centre keeps the topology of a (26, 6) volume, straight from the
 /// definition: the object in the 26-neighbourhood has exactly one 26-component, and the background
@@ -71,5 +70,4 @@ private:
     mutable std::array<std::atomic<std::uint16_t>, std::size_t{1} << 18> table_{};
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -2,8 +2,7 @@
 
 #include <numeric>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 double SkeletonGraph::Branch::length() const {
     double total = 0.0;
@@ -53,5 +52,4 @@ GraphTopology topology(const SkeletonGraph& graph) {
     return {components, cycles};
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -5,8 +5,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// A curve skeleton as a graph. Coordinates and radii are in one unit throughout: voxels of the
 /// grid while the skeleton is being made, the model's own units once `to_world` has been applied.
@@ -46,5 +45,4 @@ struct GraphTopology {
 };
 [[nodiscard]] GraphTopology topology(const SkeletonGraph& graph);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

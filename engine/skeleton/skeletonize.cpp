@@ -3,8 +3,7 @@
 #include "engine/mesh/canonical_pose.h"
 #include "engine/skeleton/extract_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 Error cancelled(const char* before) {
@@ -12,7 +11,8 @@ Error cancelled(const char* before) {
 }
 
 /// The model's vertices in voxels of the grid: the surface of eq. 3.3.
-std::vector<Vec3> surface_points(const TriangleMesh& mesh, const WorldFromGrid& world_from_grid) {
+std::vector<Vec3> surface_points(const mesh::TriangleMesh& mesh,
+                                 const WorldFromGrid& world_from_grid) {
     std::vector<Vec3> points;
     points.reserve(mesh.vertices.size());
     for (const Vec3& vertex : mesh.vertices) points.push_back(world_from_grid.grid(vertex));
@@ -21,7 +21,7 @@ std::vector<Vec3> surface_points(const TriangleMesh& mesh, const WorldFromGrid& 
 
 }  // namespace
 
-Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options,
+Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options,
                              std::stop_token stop) {
     Skeleton skeleton;
     Stopwatch watch;
@@ -29,15 +29,15 @@ Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions&
         skeleton.stage_times.push_back({stage, watch.lap_ms()});
     };
     if (stop.stop_requested()) return cancelled("voxelize");
-    VoxelizeOptions voxelize_options = options.voxelize;
-    if (options.canonical_pose) voxelize_options.rotation = canonical_pose(mesh);
-    Result<VoxelSolid> solid = voxelize(mesh, voxelize_options);
+    voxel::VoxelizeOptions voxelize_options = options.voxelize;
+    if (options.canonical_pose) voxelize_options.rotation = mesh::canonical_pose(mesh);
+    Result<voxel::VoxelSolid> solid = voxel::voxelize(mesh, voxelize_options);
     if (!solid) return solid.error();
     skeleton.solid = *std::move(solid);
     finished("voxelize");
 
     if (stop.stop_requested()) return cancelled("distance_transform");
-    skeleton.distance = distance_transform(skeleton.solid.volume);
+    skeleton.distance = voxel::distance_transform(skeleton.solid.volume);
     finished("distance_transform");
 
     if (stop.stop_requested()) return cancelled("thin");
@@ -54,5 +54,4 @@ Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions&
     return skeleton;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

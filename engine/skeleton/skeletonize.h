@@ -10,23 +10,22 @@
 #include "engine/skeleton/thinning.h"
 #include "engine/voxel/voxelize.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 struct SkeletonizeOptions {
     /// Lay the grid along the model's own axes (canonical_pose.h), so that the skeleton does not
     /// depend on how the model is turned or mirrored; `voxelize.rotation` is then not used.
     bool canonical_pose = true;
-    VoxelizeOptions voxelize;
+    voxel::VoxelizeOptions voxelize;
     ThinningOptions thinning;
     RefineOptions refine;
 };
 
 /// A model's skeleton at each stage of its making; graphs are in voxel units of `solid`'s grid.
 struct Skeleton {
-    VoxelSolid solid;
-    DistanceField distance;
-    BitVolume thinned_volume;
+    voxel::VoxelSolid solid;
+    voxel::DistanceField distance;
+    voxel::BitVolume thinned_volume;
     SkeletonGraph thinned;
     SkeletonGraph pruned;
     SkeletonGraph refined;
@@ -37,8 +36,7 @@ struct Skeleton {
 /// surface of eq. 3.3 is the mesh's vertices, as in the thesis: a coarse mesh gives nodes large
 /// distances and so large significances.
 /// Errors: those of voxelize, and cancelled when `stop` is requested between stages.
-Result<Skeleton> skeletonize(const TriangleMesh& mesh, const SkeletonizeOptions& options = {},
+Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options = {},
                              std::stop_token stop = {});
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 using Sample = Eigen::Vector4d;  // x, y, z, radius
@@ -125,5 +124,4 @@ void smooth_closed_branch(SkeletonGraph::Branch& branch, SkeletonGraph::Node& no
     node.radius = branch.radii.front();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/skeleton_graph.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// How eq. 3.4 sets a branch's scale t_k, with n its number of points and F its bending. Thesis
 /// sec. 3.2.4 writes "t_k = 1 / F * n, so t_k = (sum of sines) / 2", which are two different
@@ -37,5 +36,4 @@ void smooth_branch(SkeletonGraph::Branch& branch, double variance);
 void smooth_closed_branch(SkeletonGraph::Branch& branch, SkeletonGraph::Node& node,
                           double variance);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -12,23 +12,23 @@
 #include "engine/voxel/inner_runs.h"
 #include "engine/voxel/morphology.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// Without cavities the Euler characteristic is components less tunnels.
-bool has_only_components(const BitVolume& volume, std::size_t components) {
-    return euler_characteristic(volume) == static_cast<std::int64_t>(components) &&
-           count_cavities(volume) == 0;
+bool has_only_components(const voxel::BitVolume& volume, std::size_t components) {
+    return voxel::euler_characteristic(volume) == static_cast<std::int64_t>(components) &&
+           voxel::count_cavities(volume) == 0;
 }
 
 /// The least part of the solid around the anchors, voxel by voxel, that has neither tunnels nor
 /// cavities: what loops the anchors have are filled there. None where it is most of the solid.
-std::optional<BitVolume> filled_around(const Anchors& anchors, const BitVolume& solid) {
+std::optional<voxel::BitVolume> filled_around(const Anchors& anchors,
+                                              const voxel::BitVolume& solid) {
     const std::size_t most = solid.count() / 2;
-    BitVolume around = anchors.voxels.volume();
+    voxel::BitVolume around = anchors.voxels.volume();
     do {
-        around = dilate(around);
+        around = voxel::dilate(around);
         for (std::size_t w = 0; w < around.words().size(); ++w) {
             around.words()[w] &= solid.words()[w];
         }
@@ -41,7 +41,7 @@ std::optional<BitVolume> filled_around(const Anchors& anchors, const BitVolume& 
 /// component and has none either, so that the anchors are its skeleton as they stand. Where paths
 /// have closed loops, what is around the anchors is peeled in its stead (a fiftieth of the time);
 /// only what has tunnels or cavities to keep must be peeled as a whole.
-ThinningGrid thin_anchored(const BitVolume& solid, const DistanceField& distance,
+ThinningGrid thin_anchored(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
                            const ThinningOptions& options) {
     Anchors anchors = find_anchors(solid, distance, options);
     if (has_only_components(solid, anchors.components)) {
@@ -66,8 +66,8 @@ Result<ThinningMethod> parse_thinning_method(std::string_view name) {
                                              "', expected 'anchored' or 'parallel'"};
 }
 
-BitVolume thin(const BitVolume& solid, const DistanceField& distance,
-               const ThinningOptions& options) {
+voxel::BitVolume thin(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+                      const ThinningOptions& options) {
     assert(options.method == ThinningMethod::kParallel || solid.size() == distance.size());
     if (solid.voxel_count() == 0) return solid;
     ThinningGrid skeleton = options.method == ThinningMethod::kAnchored
@@ -77,5 +77,4 @@ BitVolume thin(const BitVolume& solid, const DistanceField& distance,
     return skeleton.volume();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

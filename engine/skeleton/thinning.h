@@ -6,8 +6,7 @@
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/distance_transform.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 enum class ThinningMethod {
     kAnchored,  ///< tips found by distance-weighted geodesics, simple points removed inwards
@@ -29,8 +28,7 @@ struct ThinningOptions {
 /// The curve skeleton of `solid` as voxels: a subset of it with the same components, tunnels and
 /// cavities (always), one voxel wide.
 /// @param distance  of `solid`; kParallel does not look at it, and any will do
-BitVolume thin(const BitVolume& solid, const DistanceField& distance,
-               const ThinningOptions& options = {});
+voxel::BitVolume thin(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+                      const ThinningOptions& options = {});
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

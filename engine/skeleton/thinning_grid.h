@@ -6,8 +6,7 @@
 #include "engine/skeleton/neighborhood.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Index of a voxel in the padded bit grid that thinning works on.
 using VoxelIndex = std::uint32_t;
@@ -69,7 +68,8 @@ public:
         static_assert(std::endian::native == std::endian::little);
         bytes_.resize(shape.count() / 8 + 8, 0);
     }
-    explicit ThinningGrid(const BitVolume& volume) : ThinningGrid(PaddedShape(volume.size())) {
+    explicit ThinningGrid(const voxel::BitVolume& volume)
+        : ThinningGrid(PaddedShape(volume.size())) {
         for (int z = 0; z < volume.size().z(); ++z) {
             for (int y = 0; y < volume.size().y(); ++y) copy_row(volume.row(y, z), y, z);
         }
@@ -111,8 +111,8 @@ public:
     }
 
     /// Without the padding.
-    [[nodiscard]] BitVolume volume() const {
-        BitVolume result(shape_.size());
+    [[nodiscard]] voxel::BitVolume volume() const {
+        voxel::BitVolume result(shape_.size());
         for_each([&](VoxelIndex v) { result.set(shape_.position(v)); });
         return result;
     }
@@ -163,5 +163,4 @@ private:
     std::vector<std::uint8_t> bytes_;
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/shortest_paths.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 class TipSearch {
@@ -155,5 +154,4 @@ Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, 
     return TipSearch(blocks, centres, coverage, options).run();
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -3,8 +3,7 @@
 #include "engine/skeleton/block_grid.h"
 #include "engine/skeleton/thinning.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 struct Tips {
     std::vector<VoxelIndex> blocks;  ///< in the order found, the farthest from all others first
@@ -20,5 +19,4 @@ struct Tips {
 Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
                const ThinningOptions& options);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -9,8 +9,7 @@
 #include <numbers>
 #include <span>
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 /// How much of a point's inscribed ball is its own beside nearer points.
@@ -66,7 +65,7 @@ unsigned cell_bits(std::span<const std::uint64_t> row, int x) {
 /// Gives each block of eight voxels to the stretch that its middle is nearest to.
 class VoxelShares {
 public:
-    VoxelShares(std::span<const Stretch> stretches, const BitVolume& solid)
+    VoxelShares(std::span<const Stretch> stretches, const voxel::BitVolume& solid)
         : stretches_(stretches), solid_(solid), voxels_(stretches.size(), 0.0) {
         const Vec3i& size = solid.size();
         for (int z = 0; z < size.z(); z += kCellSize) {
@@ -143,7 +142,7 @@ private:
     }
 
     std::span<const Stretch> stretches_;
-    const BitVolume& solid_;
+    const voxel::BitVolume& solid_;
     std::vector<double> voxels_;
     std::vector<float> lower_;
     std::vector<std::size_t> candidates_;
@@ -169,7 +168,8 @@ double radius_at(const CutBranch& branch, std::span<const double> voxels, double
 
 }  // namespace
 
-std::vector<std::vector<double>> tube_radii(const SkeletonGraph& graph, const BitVolume& solid) {
+std::vector<std::vector<double>> tube_radii(const SkeletonGraph& graph,
+                                            const voxel::BitVolume& solid) {
     std::vector<Stretch> stretches;
     std::vector<CutBranch> branches;
     for (const SkeletonGraph::Branch& branch : graph.branches) {
@@ -200,5 +200,4 @@ double tube_volume(const SkeletonGraph& graph) {
     return volume;
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

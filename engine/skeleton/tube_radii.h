@@ -5,8 +5,7 @@
 #include "engine/skeleton/skeleton_graph.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// The radius at each point of each branch that a round tube needs to hold the body around it: that
 /// of the cylinder with the volume of the voxels that are nearest to a short stretch of the branch,
@@ -21,10 +20,9 @@ inline namespace skeleton {
 /// @param graph  in voxels of `solid`'s grid
 /// @return voxels, as many for each branch as it has points
 [[nodiscard]] std::vector<std::vector<double>> tube_radii(const SkeletonGraph& graph,
-                                                          const BitVolume& solid);
+                                                          const voxel::BitVolume& solid);
 
 /// The volume of tubes of the graph's own radii along its branches, in its unit cubed.
 [[nodiscard]] double tube_volume(const SkeletonGraph& graph);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -6,8 +6,7 @@
 #include "engine/core/geometry.h"
 #include "engine/skeleton/simple_point.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 namespace {
 
 bool is_removable(const SimplePointTest& is_simple, Neighborhood around) {
@@ -101,5 +100,4 @@ void thin_to_unit_width(ThinningGrid& object) {
     }
 }
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -2,8 +2,7 @@
 
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// Thins the crowds of a curve-like set to unit width in the manner of the valence-driven spatial
 /// median (Wang & Basu, "A curve skeleton of unit width", see thesis sec. 3.2.1): the removable
@@ -12,5 +11,4 @@ inline namespace skeleton {
 /// left has no removable voxel: every simple point is an end. Closed surfaces around cavities stay.
 void thin_to_unit_width(ThinningGrid& object);
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

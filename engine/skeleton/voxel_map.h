@@ -4,8 +4,7 @@
 
 #include "engine/skeleton/thinning_grid.h"
 
-namespace ossuary {
-inline namespace skeleton {
+namespace ossuary::skeleton {
 
 /// A value for each voxel of a set. Memory is addressed like the grid but touched only where the
 /// set has voxels, so that the cost follows the set and not the grid.
@@ -25,5 +24,4 @@ private:
     std::unique_ptr<T[]> values_;
 };
 
-}  // namespace skeleton
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -4,8 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 Ballot::Ballot(const Vec3i& low, const Vec3i& high)
     : low_(low),
@@ -140,5 +139,4 @@ Vec3i Ballot::voxel(std::size_t i) const {
     return {static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)};
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

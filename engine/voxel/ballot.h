@@ -7,8 +7,7 @@
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// For each voxel of a box, how many of the thirteen lines through it say inside, how many outside
 /// and how many are silent.
@@ -51,5 +50,4 @@ private:
     std::vector<std::uint8_t> verdict_;
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

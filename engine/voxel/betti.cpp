@@ -6,8 +6,7 @@
 #include "engine/voxel/count_components.h"
 #include "engine/voxel/inner_runs.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// The number of stretches of set bits that begin in a word. @param carry  the bit before it
@@ -67,5 +66,4 @@ BettiNumbers betti_numbers(const BitVolume& volume) {
     return betti;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The Betti numbers of the foreground (26-connected) against its background (6-connected).
 struct BettiNumbers {
@@ -25,5 +24,4 @@ BettiNumbers betti_numbers(const BitVolume& volume);
 /// survey", 1989, sec. 6).
 std::int64_t euler_characteristic(const BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

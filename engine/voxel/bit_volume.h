@@ -9,8 +9,7 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A binary volume, one bit a voxel. Rows run along x; each row starts at a 64-bit word, so bit
 /// x % 64 of word x / 64 is voxel x, and the unused high bits of a row's last word are zero.
@@ -135,5 +134,4 @@ void for_each_run(std::span<const std::uint64_t> row, int size, bool complement,
     if (begin >= 0) visit(begin, size);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

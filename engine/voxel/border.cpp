@@ -1,7 +1,6 @@
 #include "engine/voxel/border.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 BitVolume border(const BitVolume& volume) {
     const Vec3i size = volume.size();
@@ -37,5 +36,4 @@ std::vector<Vec3i> border_points(const BitVolume& volume) {
     return points;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

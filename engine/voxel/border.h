@@ -4,8 +4,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The set voxels with a background voxel beyond at least one face (outside counts as background),
 /// x fastest, then y, then z.
@@ -14,5 +13,4 @@ std::vector<Vec3i> border_points(const BitVolume& volume);
 /// The same as a volume.
 BitVolume border(const BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A pseudo-random number for each of `count` points; the number of an edge is the product of its
 /// points'.
@@ -47,5 +46,4 @@ struct BoundarySum {
     }
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -6,8 +6,7 @@
 #include "engine/voxel/components.h"
 #include "engine/voxel/morphology.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// The box [low, high) of a volume. @pre within its bounds
@@ -66,5 +65,4 @@ std::size_t close_small_tunnels(BitVolume& volume) {
     return closed;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Fills tunnels about two voxels wide and less, as voxelization makes them where two parts of a
 /// model nearly touch (fingers, a hand on a hip): of the voxels that a morphological closing by
@@ -15,5 +14,4 @@ inline namespace voxel {
 /// @pre two empty layers on every side
 std::size_t close_small_tunnels(BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -5,13 +5,12 @@
 #include "engine/mesh/disjoint_sets.h"
 #include "engine/voxel/inner_runs.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Unites the runs of two rows that touch; `reach` is 0 when faces count and 1 when corners do.
 void unite_rows(const std::vector<VoxelRun>& runs, std::size_t a, std::size_t a_end, std::size_t b,
-                std::size_t b_end, int reach, DisjointSets& sets) {
+                std::size_t b_end, int reach, mesh::DisjointSets& sets) {
     while (a < a_end && b < b_end) {
         if (runs[a].begin < runs[b].end + reach && runs[b].begin < runs[a].end + reach) {
             sets.unite(runs[a].component, runs[b].component);
@@ -35,7 +34,7 @@ Components label(const BitVolume& volume, Connectivity connectivity, bool outsid
     const Vec3i size = volume.size();
     const int reach = connectivity == Connectivity::kVertices ? 1 : 0;
     Components result;
-    DisjointSets sets(0);
+    mesh::DisjointSets sets(0);
     if (outside) sets.add();
     std::vector<std::size_t> row_begin;
     const auto row_of = [&](int y, int z) {
@@ -129,5 +128,4 @@ FilledCavities fill_cavities(BitVolume& volume) {
     return filled;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

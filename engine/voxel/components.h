@@ -6,8 +6,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 enum class Connectivity {
     kFaces,     ///< 6 neighbours: the background's
@@ -50,5 +49,4 @@ struct FilledCavities {
 /// Sets every background voxel that cannot reach the outside through faces.
 FilledCavities fill_cavities(BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

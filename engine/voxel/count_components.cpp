@@ -8,8 +8,7 @@
 
 #include "engine/mesh/disjoint_sets.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// A stretch along x of a beam: of the four rows y, y + 1, z, z + 1 with even y and z. Voxels of a
@@ -48,7 +47,7 @@ public:
     }
 
     [[nodiscard]] std::size_t count_components() const {
-        DisjointSets sets(stretches_.size());
+        mesh::DisjointSets sets(stretches_.size());
         std::size_t components = stretches_.size();
         for (int z = 0; z < nz_; ++z) {
             for (int y = 0; y < ny_; ++y) {
@@ -83,7 +82,7 @@ private:
     /// Unites the stretches of two beams that have neighbouring voxels in the rows given; returns
     /// how many sets became one with another.
     std::size_t unite(int y, int z, int other_y, int other_z, const TwoRows& rows,
-                      const TwoRows& other_rows, DisjointSets& sets) const {
+                      const TwoRows& other_rows, mesh::DisjointSets& sets) const {
         if (other_y < 0 || other_z < 0 || other_y >= ny_) return 0;
         std::uint32_t a = first_[beam(y, z)], b = first_[beam(other_y, other_z)];
         const std::uint32_t a_end = first_[beam(y, z) + 1];
@@ -140,5 +139,4 @@ private:
 
 std::size_t count_components(const BitVolume& volume) { return Beams(volume).count_components(); }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -12,8 +12,7 @@
 #include "engine/voxel/line_projection.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Finds the places where lines cross triangles; ray_columns.h says what counts as one. Small
 /// triangles, most of a fine mesh, go through in stages, so that what a branch would have to guess
@@ -161,5 +160,4 @@ private:
     std::array<Line, 4 * kChunk + 4> lines_;
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

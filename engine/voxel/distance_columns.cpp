@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 GroupColumns::GroupColumns(const BitVolume& volume, const DistanceField& field)
     : field_(field),
@@ -33,5 +32,4 @@ GroupColumns::GroupColumns(const BitVolume& volume, const DistanceField& field)
     }
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

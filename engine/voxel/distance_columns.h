@@ -6,8 +6,7 @@
 
 #include "engine/voxel/distance_field.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A stretch of voxel groups along y or z, each with a set voxel in it; the groups before and after
 /// are background or outside.
@@ -55,5 +54,4 @@ private:
     std::vector<std::size_t> places_;
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 
 #include "engine/voxel/distance_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Columns gathered at once: one cache line of the result, so that no step along the stride misses.
@@ -121,5 +120,4 @@ DistanceField distances_by_envelope(const BitVolume& volume) {
     return field;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

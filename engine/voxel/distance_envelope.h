@@ -2,8 +2,7 @@
 
 #include "engine/voxel/distance_field.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The squared distance transform by lower envelopes of parabolas (Felzenszwalb & Huttenlocher,
 /// "Distance transforms of sampled functions", 2012, sec. 2), within each run of set voxels: linear
@@ -11,5 +10,4 @@ inline namespace voxel {
 /// @pre no side above 2^14
 DistanceField distances_by_envelope(const BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

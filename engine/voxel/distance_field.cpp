@@ -1,7 +1,6 @@
 #include "engine/voxel/distance_field.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 DistanceField::DistanceField(const BitVolume& volume) : size_(volume.size()) {
     if (volume.voxel_count() == 0) return;
@@ -35,5 +34,4 @@ DistanceField::DistanceField(const BitVolume& volume) : size_(volume.size()) {
     squared_.assign(next, 0);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

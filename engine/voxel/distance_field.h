@@ -7,8 +7,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The exact squared Euclidean distance, in voxels, from each voxel's centre to the centre of the
 /// nearest background voxel; 0 on the background. What lies outside the volume is background.
@@ -60,5 +59,4 @@ private:
     std::vector<std::uint32_t> squared_;  ///< after as many that are not used as a row is long
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

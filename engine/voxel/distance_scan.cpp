@@ -10,8 +10,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 constexpr std::size_t kLanes = DistanceField::kGroup;
@@ -167,5 +166,4 @@ std::optional<DistanceField> distances_by_scan(const BitVolume& volume) {
     return field;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 
 #include "engine/voxel/distance_field.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The largest distance that distances_by_scan finds: its square and that of a step a little longer
 /// fit 16 bits together.
@@ -17,5 +16,4 @@ inline constexpr int kFarthestScan = 178;
 /// @return nothing where some voxel is farther than kFarthestScan: none is up to twice that a side
 std::optional<DistanceField> distances_by_scan(const BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

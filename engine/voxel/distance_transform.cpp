@@ -5,8 +5,7 @@
 #include "engine/voxel/distance_envelope.h"
 #include "engine/voxel/distance_scan.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 // Scan against envelopes, ms of one busy core: armadillo 3.0 : 4.5 at 96 voxels, 8.3 : 10.7 at 128,
 // 53 : 90 at 256; human .31 : .85 at 128, 3.0 : 7.5 at 256; a full cube of 128 32 : 28; at 512
@@ -16,5 +15,4 @@ DistanceField distance_transform(const BitVolume& volume) {
     return distances_by_envelope(volume);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -6,8 +6,7 @@
 #include "engine/voxel/components.h"
 #include "engine/voxel/crossing_finder.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Calls visit(u, v, from, to) for each stretch of a line, in fixed-point depth, inside some part.
@@ -77,5 +76,4 @@ void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
               });
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

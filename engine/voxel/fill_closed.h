@@ -8,8 +8,7 @@
 #include "engine/voxel/ray_columns.h"
 #include "engine/voxel/surface_parts.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Sets the voxels whose centre is inside some closed part: its winding number is not 0, or odd
 /// where the part is closed by parity only.
@@ -27,5 +26,4 @@ void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, 
 void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles, int axis,
                  const BitVolume& solid, std::vector<Vec3i>& voxels);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -7,8 +7,7 @@
 #include "engine/voxel/line_depths.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Larger boxes are voted on slab by slab, so that memory stays within some hundred megabytes.
@@ -73,5 +72,4 @@ void fill_open_parts(const GridMesh& mesh, const SurfaceParts& parts, BitVolume&
     if (open_parts > 1) vote(mesh, all, volume);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/surface_parts.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Sets the voxels that the open parts of a surface enclose, by the vote of the lines through each
 /// voxel in thirteen directions: a line that crosses the surface an even number of times votes by
@@ -14,5 +13,4 @@ inline namespace voxel {
 /// polygons.
 void fill_open_parts(const GridMesh& mesh, const SurfaceParts& parts, BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -8,8 +8,7 @@
 
 #include "engine/voxel/boundary_sum.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -83,7 +82,7 @@ bool sorts_oddly(const GridMesh::Triangle& t) {
 /// Takes over the triangles by their welded corners. A triangle that comes twice is kept once;
 /// when the copies face both ways (double-sided models), it gets a direction that depends on its
 /// corners' positions only, and the parts' orientation is worked out later.
-void take_triangles(const TriangleMesh& mesh, const std::vector<std::uint32_t>& point_of,
+void take_triangles(const mesh::TriangleMesh& mesh, const std::vector<std::uint32_t>& point_of,
                     GridMesh& grid) {
     TripleTable table(mesh.triangles.size());
     std::vector<GridMesh::Triangle> sorted;
@@ -120,7 +119,7 @@ struct Connections {
     bool closed = false;
 };
 
-Connections look_at_triangles(const TriangleMesh& mesh) {
+Connections look_at_triangles(const mesh::TriangleMesh& mesh) {
     Connections result;
     result.used.assign(mesh.vertices.size(), 0);
     const std::vector<std::uint64_t> keys = point_keys(mesh.vertices.size());
@@ -139,7 +138,7 @@ std::int32_t rounded(double x) { return static_cast<std::int32_t>(x + 0.5); }
 
 }  // namespace
 
-Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& options) {
+Result<GridMesh> lay_into_grid(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options) {
     if (options.resolution < 8 || options.resolution > 1024) {
         return {ErrorCode::kInvalidArgument,
                 "resolution: found " + std::to_string(options.resolution) + ", expected 8 to 1024"};
@@ -221,5 +220,4 @@ Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& 
     return grid;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

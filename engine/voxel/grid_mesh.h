@@ -9,8 +9,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/voxel/voxelize.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A position in the grid in fixed point: kGridOne units a voxel. Integers make every decision of
 /// the rasteriser exact, so that neighbouring triangles can neither leave a crack nor overlap.
@@ -48,7 +47,6 @@ struct GridMesh {
 inline constexpr int kGridMargin = 2;
 
 /// Errors: mesh_empty, mesh_no_extent, invalid_argument.
-Result<GridMesh> lay_into_grid(const TriangleMesh& mesh, const VoxelizeOptions& options);
+Result<GridMesh> lay_into_grid(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -6,8 +6,7 @@
 
 #include "engine/mesh/disjoint_sets.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// A stretch of background between two set voxels of a row.
@@ -38,7 +37,7 @@ public:
     [[nodiscard]] std::size_t closed_sets() const {
         if (runs_.empty()) return 0;
         const auto outside = static_cast<std::uint32_t>(runs_.size());
-        DisjointSets sets(runs_.size() + 1);
+        mesh::DisjointSets sets(runs_.size() + 1);
         std::size_t row = 0;
         for (int z = 0; z < nz_; ++z) {
             for (int y = 0; y < ny_; ++y, ++row) {
@@ -82,14 +81,14 @@ private:
     }
 
     void touch_outside(std::uint32_t run, std::size_t other_row, std::uint32_t outside,
-                       DisjointSets& sets) const {
+                       mesh::DisjointSets& sets) const {
         const InnerRun& r = runs_[run];
         const RowExtent& other = extents_[other_row];
         if (r.begin < other.begin || r.end > other.end) sets.unite(run, outside);
     }
 
     void touch(std::uint32_t run, std::size_t other_row, std::uint32_t outside,
-               DisjointSets& sets) const {
+               mesh::DisjointSets& sets) const {
         touch_outside(run, other_row, outside, sets);
         const InnerRun& r = runs_[run];
         const std::uint32_t end = extents_[other_row + 1].first_run;
@@ -107,5 +106,4 @@ private:
 
 std::size_t count_cavities(const BitVolume& volume) { return InnerRuns(volume).closed_sets(); }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,13 +4,11 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// How many components of the background, by faces, do not reach the outside. Only stretches of
 /// background between set voxels of a row are looked at, since everything else is outside: a tenth
 /// of the time of labelling the background.
 [[nodiscard]] std::size_t count_cavities(const BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

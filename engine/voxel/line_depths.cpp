@@ -4,8 +4,7 @@
 
 #include "engine/voxel/crossing_finder.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
                        const LineDirection& direction) {
@@ -43,5 +42,4 @@ LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> tria
     }
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

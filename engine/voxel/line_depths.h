@@ -8,8 +8,7 @@
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The depths at which lines cross triangles: cast_lines for those who need neither parts nor ways.
 class LineDepths {
@@ -35,5 +34,4 @@ private:
     std::vector<std::uint32_t> begin_;  ///< of each line, and one more, where the depths end
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -10,8 +10,7 @@
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A corner as seen along the lines. Sheared coordinates stay below 2^30.
 struct LinePoint {
@@ -203,5 +202,4 @@ private:
     double depth_, depth_per_u_, depth_per_v_;
 };
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -3,8 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// The unused high bits of a row's last word.
@@ -107,5 +106,4 @@ bool is_near_thick_part(const BitVolume& volume, const Vec3i& v) {
     return any_block(0, 5);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -2,8 +2,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// The volume grown by one voxel in all 26 directions, within its bounds.
 BitVolume dilate(const BitVolume& volume);
@@ -16,5 +15,4 @@ BitVolume erode(const BitVolume& volume);
 /// @pre two voxels or more from the volume's border
 bool is_near_thick_part(const BitVolume& volume, const Vec3i& voxel);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

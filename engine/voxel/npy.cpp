@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 constexpr std::string_view kMagic("\x93NUMPY", 6);
@@ -281,5 +280,4 @@ Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& pat
     return {};
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -9,8 +9,7 @@
 #include "engine/core/result.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 struct NpyOptions {
     std::uint64_t max_voxels = std::uint64_t{1} << 30;  ///< 1024³
@@ -31,5 +30,4 @@ Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& 
 /// Errors: file_unwritable.
 Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& path);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -6,8 +6,7 @@
 
 #include "engine/voxel/crossing_finder.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Where the line (u, v) crosses a triangle, between two voxel centres.
@@ -113,12 +112,12 @@ bool sum_row(std::span<std::uint64_t> row, std::span<const std::uint64_t> enteri
 /// Marks lines that cross more than one part.
 void mark_shared_lines(std::span<const Flip> flips, const SurfaceParts& parts,
                        std::vector<std::uint32_t>& part_of_line, Marks& marks) {
-    constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-    std::fill(part_of_line.begin(), part_of_line.end(), kNone);
+    constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
+    std::fill(part_of_line.begin(), part_of_line.end(), kNoPart);
     for (const Flip& flip : flips) {
         const std::uint32_t part = parts.part_of[flip.triangle];
         std::uint32_t& known = part_of_line[flip.u];
-        marks.mark(flip.u, known != part && known != kNone);
+        marks.mark(flip.u, known != part && known != kNoPart);
         known = part;
     }
 }
@@ -183,5 +182,4 @@ LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int ax
     return marks.take();
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -8,8 +8,7 @@
 #include "engine/voxel/ray_columns.h"
 #include "engine/voxel/surface_parts.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Sets the voxels whose centre is inside closed parts, on all lines along axis 0 on which parity
 /// tells as much as winding numbers do: each crossing flips a bit, and a running sum modulo two
@@ -26,5 +25,4 @@ LineSubset fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> c
 /// Of some lines along an axis those that cross twice between the same two centres.
 LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int axis);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

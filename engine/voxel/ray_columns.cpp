@@ -5,8 +5,7 @@
 
 #include "engine/voxel/crossing_finder.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 bool comes_before(const Crossing& a, const Crossing& b) {
@@ -70,5 +69,4 @@ std::vector<Crossing> cast_lines(const GridMesh& mesh, std::span<const std::uint
     return sorted_by_line(crossings);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

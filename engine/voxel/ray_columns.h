@@ -7,8 +7,7 @@
 
 #include "engine/voxel/grid_mesh.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A family of parallel lines through all voxel centres: a step of one voxel along `axis` goes with
 /// steps of shear[0] along axis + 1 and shear[1] along axis + 2 (cyclic), each -1, 0 or 1.
@@ -87,5 +86,4 @@ inline Vec3i voxel_on_line(const LineDirection& direction, std::int32_t u, std::
     return voxel;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -3,8 +3,7 @@
 #include <array>
 #include <bit>
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Bit dx + 1 + 3 (dy + 1) + 9 (dz + 1) of a neighbourhood is the voxel at (dx, dy, dz).
@@ -84,5 +83,4 @@ bool is_simple_point(const BitVolume& volume, const Vec3i& voxel) {
     return faces != 0 && (faces & ~flood(faces, background, kMasks.by_faces)) == 0;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

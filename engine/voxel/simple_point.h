@@ -4,8 +4,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Whether setting or clearing a voxel leaves the topology (26, 6) as it is: around it, without
 /// itself, there is exactly one object component by 26-neighbours and exactly one background
@@ -14,5 +13,4 @@ inline namespace voxel {
 /// @pre the voxel is not in the outermost layer
 bool is_simple_point(const BitVolume& volume, const Vec3i& voxel);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

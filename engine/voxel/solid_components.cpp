@@ -13,8 +13,7 @@
 #include "engine/voxel/components.h"
 #include "engine/voxel/count_components.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// A possible bridge; ordered by length, then by place.
@@ -137,7 +136,7 @@ void draw_line(const Vec3i& a, const Vec3i& b, BitVolume& volume) {
 
 std::size_t build_bridges(BitVolume& volume, const Components& components, int gap) {
     const ComponentOf component_of(components, volume);
-    DisjointSets joined(components.count());
+    mesh::DisjointSets joined(components.count());
     std::size_t built = 0;
     std::vector<Bridge> chosen;
     for (const Bridge& bridge : find_bridges(volume, components, gap)) {
@@ -191,5 +190,4 @@ JoinedComponents join_components(BitVolume& volume, const JoinOptions& options) 
     return result;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,8 +4,7 @@
 
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 struct JoinedComponents {
     std::size_t bridged = 0;  ///< bridges built
@@ -24,5 +23,4 @@ struct JoinOptions {
 /// joined already, so that no tunnel comes of it.
 JoinedComponents join_components(BitVolume& volume, const JoinOptions& options);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -8,8 +8,7 @@
 #include "engine/mesh/disjoint_sets.h"
 #include "engine/voxel/boundary_sum.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 using Kind = SurfaceParts::Kind;
@@ -38,7 +37,7 @@ Grouping group_by_points(const GridMesh& mesh, std::span<const std::uint32_t> tr
     };
     for (const std::uint32_t t : triangles) hand_around(t);
     for (std::size_t i = triangles.size(); i-- > 0;) hand_around(triangles[i]);
-    DisjointSets sets(std::move(least));
+    mesh::DisjointSets sets(std::move(least));
     for (const std::uint32_t t : triangles) {
         const auto& [a, b, c] = mesh.triangles[t];
         sets.unite(a, b);
@@ -49,13 +48,13 @@ Grouping group_by_points(const GridMesh& mesh, std::span<const std::uint32_t> tr
     if (!triangles.empty() && std::all_of(set_of.begin(), set_of.end(), is_first)) {
         return {std::vector<std::uint32_t>(triangles.size(), 0), 1};
     }
-    constexpr std::uint32_t kNone = 0xFFFFFFFFu;
-    std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+    constexpr std::uint32_t kUnnumbered = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> number(mesh.points.size(), kUnnumbered);
     Grouping result;
     result.group.reserve(triangles.size());
     for (const std::uint32_t t : triangles) {
         std::uint32_t& n = number[set_of[mesh.triangles[t][0]]];
-        if (n == kNone) n = result.count++;
+        if (n == kUnnumbered) n = result.count++;
         result.group.push_back(n);
     }
     return result;
@@ -205,5 +204,4 @@ SurfaceParts find_parts(GridMesh& mesh) {
     return parts;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

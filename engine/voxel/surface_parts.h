@@ -6,8 +6,7 @@
 
 #include "engine/voxel/grid_mesh.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// A surface taken apart for inside tests.
 struct SurfaceParts {
@@ -29,5 +28,4 @@ struct SurfaceParts {
 /// parts of their own; what remains is open, in pieces that share points.
 SurfaceParts find_parts(GridMesh& mesh);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

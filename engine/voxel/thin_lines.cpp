@@ -7,8 +7,7 @@
 
 #include "engine/voxel/morphology.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 bool is_long(const GridPoint& a, const GridPoint& b) {
@@ -113,5 +112,4 @@ LineSubset lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& ca
     return past;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -7,8 +7,7 @@
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/ray_columns.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Longer triangles, in one axis, can hide something between their corners.
 inline constexpr std::int32_t kLongEdge = 4 * kGridOne;
@@ -25,5 +24,4 @@ std::vector<std::uint32_t> find_thin_places(const GridMesh& mesh, const BitVolum
 LineSubset lines_past(const GridMesh& mesh, const std::vector<std::uint32_t>& candidates,
                       const std::vector<std::uint32_t>& thin_places, int axis);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -10,8 +10,7 @@
 #include "engine/voxel/simple_point.h"
 #include "engine/voxel/thin_lines.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 /// Calls visit(Vec3i) for the voxels of places between two points that are at most `spacing` apart.
@@ -162,5 +161,4 @@ std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
     return added.size() - peel(std::move(candidates), volume);
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

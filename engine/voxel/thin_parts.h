@@ -6,8 +6,7 @@
 #include "engine/voxel/bit_volume.h"
 #include "engine/voxel/grid_mesh.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 /// Adds what sampling at voxel centres has lost of a surface to `volume`, as sheets and lines of
 /// one voxel:
@@ -24,5 +23,4 @@ inline namespace voxel {
 std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
                            const std::vector<std::uint32_t>& places, BitVolume& volume);
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -18,8 +18,7 @@
 #include "engine/voxel/thin_lines.h"
 #include "engine/voxel/thin_parts.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 namespace {
 
 void warn(VoxelSolid& solid, const char* code, std::size_t count, const std::string& message) {
@@ -138,7 +137,7 @@ void tidy(const GridMesh& mesh, const SurfaceParts& parts, const VoxelizeOptions
 
 }  // namespace
 
-Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options) {
+Result<VoxelSolid> voxelize(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options) {
     if (options.bridge_gap < 0 || options.bridge_gap > 4) {
         return {ErrorCode::kInvalidArgument,
                 "bridge_gap: found " + std::to_string(options.bridge_gap) + ", expected 0 to 4"};
@@ -159,5 +158,4 @@ Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& opt
     return solid;
 }
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -7,8 +7,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/voxel/bit_volume.h"
 
-namespace ossuary {
-inline namespace voxel {
+namespace ossuary::voxel {
 
 struct VoxelizeOptions {
     int resolution = 96;  ///< voxels along the longest side of the bounding box, in [8, 1024]
@@ -37,7 +36,7 @@ struct VoxelSolid {
     /// Codes: open_surface, repeated_triangles, thin_parts (voxels that keep parts thinner than a
     /// voxel), filled_cavities, closed_tunnels, bridged_components, dropped_components,
     /// several_components; each with its count.
-    std::vector<MeshWarning> warnings;
+    std::vector<mesh::MeshWarning> warnings;
     /// How the inside was found: `winding` (all parts closed: exact), `winding+voting` (some parts
     /// open), `voting` (all parts open), `surface` (nothing is enclosed: sheets and wires only).
     std::string method;
@@ -57,7 +56,6 @@ struct VoxelSolid {
 /// uniform scale as far as the coordinates represent them exactly.
 /// Errors: mesh_empty, mesh_no_extent (all points coincide), solid_empty, invalid_argument (an
 /// option out of its range, coordinates that are not finite).
-Result<VoxelSolid> voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options = {});
+Result<VoxelSolid> voxelize(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options = {});
 
-}  // namespace voxel
-}  // namespace ossuary
+}  // namespace ossuary::voxel

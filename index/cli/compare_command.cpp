@@ -21,13 +21,13 @@ struct Options {
     RankingOptions ranking;
 };
 
-Result<index::Comparison> compare_files(const Options& options, const RankOptions& rank,
+Result<index::Comparison> compare_files(const Options& options, const ranking::RankOptions& rank,
                                         const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
-    const Result<ReadMeshResult> a = read_mesh(options.a);
+    const Result<mesh::ReadMeshResult> a = mesh::read_mesh(options.a);
     if (!a.ok()) return a.error();
-    const Result<ReadMeshResult> b = read_mesh(options.b);
+    const Result<mesh::ReadMeshResult> b = mesh::read_mesh(options.b);
     if (!b.ok()) return b.error();
     Result<index::Comparison> comparison =
         index::compare_meshes(a->mesh, b->mesh, *parameters, rank, session.stop);
@@ -37,7 +37,8 @@ Result<index::Comparison> compare_files(const Options& options, const RankOption
     return comparison;
 }
 
-Result<index::Comparison> compare_indexed(const Options& options, const RankOptions& rank) {
+Result<index::Comparison> compare_indexed(const Options& options,
+                                          const ranking::RankOptions& rank) {
     Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
     if (!searcher.ok()) return searcher.error();
     const Result<index::ModelSummary> a = find_model(searcher->store(), options.a);
@@ -48,9 +49,9 @@ Result<index::Comparison> compare_indexed(const Options& options, const RankOpti
 }
 
 void print_comparison(const index::Comparison& comparison) {
-    const Match& match = comparison.match;
+    const matching::Match& match = comparison.match;
     std::cout << fmt::format("distance {:.4f}\n", match.distance);
-    for (const DistancePart& part : match.parts) {
+    for (const matching::DistancePart& part : match.parts) {
         std::cout << fmt::format("  {:<28} {:.4f}\n", part.name, part.value);
     }
     std::string clusters;
@@ -70,7 +71,8 @@ void print_comparison(const index::Comparison& comparison) {
 }
 
 Result<ExitCode> run(const Options& options, const Session& session) {
-    const Result<std::vector<RankOptions>> rank = options.ranking.rank_options(session.jobs);
+    const Result<std::vector<ranking::RankOptions>> rank =
+        options.ranking.rank_options(session.jobs);
     if (!rank.ok()) return rank.error();
     const Result<index::Comparison> comparison =
         options.index_path.empty() ? compare_files(options, rank->front(), session)

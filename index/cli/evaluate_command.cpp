@@ -27,7 +27,7 @@ struct Options {
     RankingOptions ranking;
 };
 
-std::vector<std::string> metric_cells(const RetrievalMetrics& m) {
+std::vector<std::string> metric_cells(const ranking::RetrievalMetrics& m) {
     std::vector<std::string> cells;
     for (const double value : {m.nearest_neighbor, m.first_tier, m.second_tier, m.e_measure, m.dcg,
                                m.mean_average_precision}) {
@@ -48,12 +48,13 @@ void print_evaluation(const index::Evaluation& evaluation) {
                  {"E-measure", Align::kRight},
                  {"DCG", Align::kRight},
                  {"MAP", Align::kRight}});
-    const auto add = [&](const std::string& name, std::size_t models, const RetrievalMetrics& m) {
+    const auto add = [&](const std::string& name, std::size_t models,
+                         const ranking::RetrievalMetrics& m) {
         std::vector<std::string> cells = {name, std::to_string(models)};
         for (std::string& cell : metric_cells(m)) cells.push_back(std::move(cell));
         table.add_row(std::move(cells));
     };
-    for (const ClassMetrics& row : evaluation.report.per_class) {
+    for (const ranking::ClassMetrics& row : evaluation.report.per_class) {
         add(row.name, row.models, row.metrics);
     }
     add("mean over models", evaluation.report.models, evaluation.report.mean);
@@ -62,16 +63,18 @@ void print_evaluation(const index::Evaluation& evaluation) {
 
 Result<std::vector<index::Evaluation>> evaluate_all(const Options& options, const Session& session,
                                                     const index::Snapshot& snapshot) {
-    const Result<std::vector<RankOptions>> ranks = options.ranking.rank_options(session.jobs);
+    const Result<std::vector<ranking::RankOptions>> ranks =
+        options.ranking.rank_options(session.jobs);
     if (!ranks.ok()) return ranks.error();
     index::EvaluateOptions evaluate_options;
     if (!options.classes_path.empty()) {
-        Result<Classification> classes = read_classification(options.classes_path);
+        Result<ranking::Classification> classes =
+            ranking::read_classification(options.classes_path);
         if (!classes.ok()) return classes.error();
         evaluate_options.classification = *std::move(classes);
     }
     std::vector<index::Evaluation> evaluations;
-    for (const RankOptions& rank : *ranks) {
+    for (const ranking::RankOptions& rank : *ranks) {
         evaluate_options.rank = rank;
         Result<index::Evaluation> evaluation = index::evaluate(snapshot, evaluate_options);
         if (!evaluation.ok()) return evaluation.error();
@@ -88,7 +91,7 @@ Result<void> write_reports(const Options& options, const Session& session, index
     if (!written.ok()) return written.error();
     std::cerr << fmt::format("report written to {}/report.html\n", options.report_folder);
     const auto knows_pose = [](const index::Evaluation& evaluation) {
-        return evaluation.ranker != RankerKind::kChainCode;
+        return evaluation.ranker != ranking::RankerKind::kChainCode;
     };
     if (std::none_of(evaluations.begin(), evaluations.end(), knows_pose)) return {};
     const auto examples =

@@ -31,7 +31,8 @@ Result<void> write_all(const std::filesystem::path& folder,
     std::filesystem::create_directories(folder, failure);
     if (failure) return {ErrorCode::kFileUnwritable, folder.string() + ": " + failure.message()};
     for (const auto& model : evaluation.models) {
-        const auto written = write_file(folder / (model.id + ".seg"), to_seg(model.segmentation));
+        const auto written =
+            write_file(folder / (model.id + ".seg"), decomposition::to_seg(model.segmentation));
         if (!written.ok()) return written.error();
     }
     const auto written = write_file(folder / "scores.csv", to_csv(evaluation));
@@ -73,13 +74,15 @@ void print_evaluation(const index::SegmentationEvaluation& evaluation) {
 }
 
 Result<ExitCode> run(Options options, const Session& session) {
-    const Result<DecompositionMethod> method = parse_decomposition_method(options.method);
+    const Result<decomposition::DecompositionMethod> method =
+        decomposition::parse_decomposition_method(options.method);
     if (!method.ok()) return method.error();
     options.evaluation.decompose.method = *method;
     options.evaluation.parts_of_people = options.parts == "people";
     options.evaluation.jobs = session.jobs;
     if (!options.classes_path.empty()) {
-        Result<Classification> classes = read_classification(options.classes_path);
+        Result<ranking::Classification> classes =
+            ranking::read_classification(options.classes_path);
         if (!classes.ok()) return classes.error();
         options.evaluation.classification = *std::move(classes);
     }

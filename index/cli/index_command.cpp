@@ -63,7 +63,8 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     index_options.retry_failed = options.retry_failed;
     index_options.model_timeout_seconds = options.model_timeout_seconds;
     if (!options.classes_path.empty()) {
-        Result<Classification> classes = read_classification(options.classes_path);
+        Result<ranking::Classification> classes =
+            ranking::read_classification(options.classes_path);
         if (!classes.ok()) return classes.error();
         index_options.classes = *std::move(classes);
     }

@@ -42,7 +42,7 @@ Result<index::IndexParameters> PipelineOptions::parameters(
     index::IndexParameters parameters = defaults;
     if (resolution_option->count() > 0) parameters.resolution = resolution;
     if (thinning_option->count() > 0) {
-        const Result<ThinningMethod> method = parse_thinning_method(thinning);
+        const Result<skeleton::ThinningMethod> method = skeleton::parse_thinning_method(thinning);
         if (!method.ok()) return method.error();
         parameters.thinning = *method;
     }
@@ -75,12 +75,12 @@ void RankingOptions::add_part_to(CLI::App& command, const std::string& help) {
     }
 }
 
-Result<std::vector<RankOptions>> RankingOptions::rank_options(int jobs) const {
-    std::vector<RankOptions> all;
+Result<std::vector<ranking::RankOptions>> RankingOptions::rank_options(int jobs) const {
+    std::vector<ranking::RankOptions> all;
     for (const std::string& name : rankers) {
-        const Result<RankerKind> ranker = parse_ranker(name);
+        const Result<ranking::RankerKind> ranker = ranking::parse_ranker(name);
         if (!ranker.ok()) return ranker.error();
-        RankOptions options;
+        ranking::RankOptions options;
         options.ranker = *ranker;
         options.pose = pose;
         options.rerank = rerank;

@@ -27,7 +27,7 @@ struct PipelineOptions {
 /// --ranker, --pose, --rerank and --part.
 struct RankingOptions {
     std::vector<std::string> rankers = {"hybrid"};
-    double pose = RankOptions{}.pose;
+    double pose = ranking::RankOptions{}.pose;
     bool rerank = false;
     bool part = false;
 
@@ -36,7 +36,7 @@ struct RankingOptions {
     /// @param help  what it means here
     void add_part_to(CLI::App& command, const std::string& help);
     /// One set of options for each ranker named.
-    [[nodiscard]] Result<std::vector<RankOptions>> rank_options(int jobs) const;
+    [[nodiscard]] Result<std::vector<ranking::RankOptions>> rank_options(int jobs) const;
 };
 
 /// Adds the required option --index.

@@ -40,7 +40,8 @@ void print_hits(const index::SearchResult& result) {
 }
 
 Result<ExitCode> run(const Options& options, const Session& session) {
-    const Result<std::vector<RankOptions>> rank = options.ranking.rank_options(session.jobs);
+    const Result<std::vector<ranking::RankOptions>> rank =
+        options.ranking.rank_options(session.jobs);
     if (!rank.ok()) return rank.error();
     Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
     if (!searcher.ok()) return searcher.error();
@@ -48,7 +49,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     if (const auto snapshot = searcher->snapshot(); !snapshot.ok()) return snapshot.error();
 
     Stopwatch watch;
-    const Result<ReadMeshResult> query = read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> query = mesh::read_mesh(options.model_path);
     if (!query.ok()) return query.error();
     const double read_ms = watch.elapsed_ms();
 

@@ -23,11 +23,12 @@ struct Options {
     std::string model_path;
     std::vector<std::string> out;
     std::string method = "evidence";
-    DecomposeOptions decompose;
+    decomposition::DecomposeOptions decompose;
 };
 
-nlohmann::json document_of(const Decomposition& decomposition, const Segmentation& faces,
-                           const Options& options, const StageTimes& times) {
+nlohmann::json document_of(const decomposition::Decomposition& decomposition,
+                           const decomposition::Segmentation& faces, const Options& options,
+                           const StageTimes& times) {
     nlohmann::json parts = nlohmann::json::array();
     std::vector<std::size_t> face_counts(faces.parts, 0);
     for (const std::uint32_t label : faces.labels) ++face_counts[label];
@@ -49,16 +50,17 @@ nlohmann::json document_of(const Decomposition& decomposition, const Segmentatio
             {"took_ms", took_ms}};
 }
 
-Result<void> write_out(const std::string& out, const TriangleMesh& mesh,
-                       const Decomposition& decomposition, const Segmentation& faces) {
+Result<void> write_out(const std::string& out, const mesh::TriangleMesh& mesh,
+                       const decomposition::Decomposition& decomposition,
+                       const decomposition::Segmentation& faces) {
     const std::string extension = std::filesystem::path(out).extension().string();
-    if (extension == ".seg") return write_file(out, to_seg(faces));
+    if (extension == ".seg") return write_file(out, decomposition::to_seg(faces));
     if (extension == ".ply") {
         return write_file(out, index::coloured_ply(mesh, decomposition.segmentation));
     }
     if (extension == ".glb") {
-        const TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
-        const Rig rig = make_rig(welded, decomposition.skeleton);
+        const mesh::TriangleMesh welded = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
+        const decomposition::Rig rig = decomposition::make_rig(welded, decomposition.skeleton);
         const std::string name = std::filesystem::path(out).stem().string();
         return write_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
     }
@@ -86,31 +88,33 @@ void print_parts(const nlohmann::json& document) {
 }
 
 Result<ExitCode> run(Options options, const Session& session) {
-    const Result<DecompositionMethod> method = parse_decomposition_method(options.method);
+    const Result<decomposition::DecompositionMethod> method =
+        decomposition::parse_decomposition_method(options.method);
     if (!method.ok()) return method.error();
     options.decompose.method = *method;
     Stopwatch watch;
-    const Result<ReadMeshResult> read = read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
-    const Result<Decomposition> decomposition =
-        decompose(read->mesh, options.decompose, session.stop);
+    const Result<decomposition::Decomposition> decomposition =
+        decomposition::decompose(read->mesh, options.decompose, session.stop);
     if (!decomposition.ok()) return decomposition.error();
     times.insert(times.end(), decomposition->stage_times.begin(), decomposition->stage_times.end());
-    const Segmentation faces = face_segmentation(read->mesh, decomposition->segmentation);
+    const decomposition::Segmentation faces =
+        decomposition::face_segmentation(read->mesh, decomposition->segmentation);
     for (const std::string& out : options.out) {
         const auto written = write_out(out, read->mesh, *decomposition, faces);
         if (!written.ok()) return written.error();
     }
     nlohmann::json document = document_of(*decomposition, faces, options, times);
-    std::vector<MeshWarning> warnings = read->warnings;
+    std::vector<mesh::MeshWarning> warnings = read->warnings;
     warnings.insert(warnings.end(), decomposition->warnings.begin(), decomposition->warnings.end());
     document["warnings"] = index::to_json(warnings);
     if (session.json) {
         print_json(document);
     } else {
         print_parts(document);
-        for (const MeshWarning& warning : warnings) {
+        for (const mesh::MeshWarning& warning : warnings) {
             std::cerr << fmt::format("warning: {}: {}\n", warning.code, warning.message);
         }
     }
@@ -134,7 +138,7 @@ void add_segment(CLI::App& app, Session& session) {
     command
         ->add_option("--parts", options->decompose.parts,
                      "As many parts as this (default: as the shape suggests)")
-        ->check(CLI::Range(std::size_t{1}, kMaxParts))
+        ->check(CLI::Range(std::size_t{1}, decomposition::kMaxParts))
         ->type_name("K");
     command
         ->add_option("--method", options->method,

@@ -55,12 +55,12 @@ void print_model(const index::ModelSummary& model, const index::StoredSkeleton& 
         model.id, model.name, model.class_name.empty() ? "-" : model.class_name,
         model.path.empty() ? "-" : model.path, model.vertices, model.faces, extent.x(), extent.y(),
         extent.z(), model.surface_area, model.indexed_at);
-    for (const MeshWarning& warning : model.warnings) {
+    for (const mesh::MeshWarning& warning : model.warnings) {
         std::cout << fmt::format("warning       {}: {}\n", warning.code, warning.message);
     }
     Table table({{"branch", Align::kRight}, {"nodes"}, {"length", Align::kRight}, {"chain code"}});
     for (std::size_t b = 0; b < skeleton.graph.branches.size(); ++b) {
-        const SkeletonGraph::Branch& branch = skeleton.graph.branches[b];
+        const skeleton::SkeletonGraph::Branch& branch = skeleton.graph.branches[b];
         table.add_row({std::to_string(b), fmt::format("{}-{}", branch.a, branch.b),
                        fmt::format("{:.4g}", branch.length()), skeleton.chain_codes[b]});
     }

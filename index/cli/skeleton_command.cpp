@@ -21,15 +21,17 @@ struct Options {
     PipelineOptions pipeline;
 };
 
-const SkeletonGraph& stage_of(const Skeleton& skeleton, const std::string& stage) {
+const skeleton::SkeletonGraph& stage_of(const skeleton::Skeleton& skeleton,
+                                        const std::string& stage) {
     if (stage == "thinned") return skeleton.thinned;
     if (stage == "pruned") return skeleton.pruned;
     return skeleton.refined;
 }
 
-nlohmann::json document_of(const SkeletonGraph& graph, const Options& options,
-                           const StageTimes& times, const std::vector<MeshWarning>& warnings) {
-    const GraphTopology shape = topology(graph);
+nlohmann::json document_of(const skeleton::SkeletonGraph& graph, const Options& options,
+                           const StageTimes& times,
+                           const std::vector<mesh::MeshWarning>& warnings) {
+    const skeleton::GraphTopology shape = skeleton::topology(graph);
     nlohmann::json document = index::to_json(graph);
     document["name"] = std::filesystem::path(options.model_path).stem().string();
     document["stage"] = options.stage;
@@ -40,7 +42,7 @@ nlohmann::json document_of(const SkeletonGraph& graph, const Options& options,
     return document;
 }
 
-Result<void> write_out(const std::string& out, const SkeletonGraph& graph,
+Result<void> write_out(const std::string& out, const skeleton::SkeletonGraph& graph,
                        const nlohmann::json& document) {
     const std::string extension = std::filesystem::path(out).extension().string();
     if (extension == ".obj") return write_file(out, wavefront_lines(graph));
@@ -49,16 +51,16 @@ Result<void> write_out(const std::string& out, const SkeletonGraph& graph,
             fmt::format("{}: a skeleton is written as .obj or .json", out)};
 }
 
-void print_summary(const SkeletonGraph& graph, const Options& options, const StageTimes& times,
-                   const std::vector<MeshWarning>& warnings) {
-    const GraphTopology shape = topology(graph);
+void print_summary(const skeleton::SkeletonGraph& graph, const Options& options,
+                   const StageTimes& times, const std::vector<mesh::MeshWarning>& warnings) {
+    const skeleton::GraphTopology shape = skeleton::topology(graph);
     double length = 0.0;
     for (const auto& branch : graph.branches) length += branch.length();
     std::cout << fmt::format(
         "{} skeleton: {} nodes, {} branches, {} components, {} cycles, length {:.6g}\n",
         options.stage, graph.nodes.size(), graph.branches.size(), shape.components, shape.cycles,
         length);
-    for (const MeshWarning& warning : warnings) {
+    for (const mesh::MeshWarning& warning : warnings) {
         std::cerr << fmt::format("warning: {}: {}\n", warning.code, warning.message);
     }
     for (const StageTime& time : times) {
@@ -70,19 +72,19 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
     Stopwatch watch;
-    const Result<ReadMeshResult> read = read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
-    const Result<Skeleton> skeleton =
-        skeletonize(read->mesh, index::describe_options(*parameters).skeletonize, session.stop);
+    const Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(
+        read->mesh, index::describe_options(*parameters).skeletonize, session.stop);
     if (!skeleton.ok()) return skeleton.error();
     times.insert(times.end(), skeleton->stage_times.begin(), skeleton->stage_times.end());
-    std::vector<MeshWarning> warnings = read->warnings;
+    std::vector<mesh::MeshWarning> warnings = read->warnings;
     warnings.insert(warnings.end(), skeleton->solid.warnings.begin(),
                     skeleton->solid.warnings.end());
 
-    const SkeletonGraph graph =
-        to_world(stage_of(*skeleton, options.stage), skeleton->solid.world_from_grid);
+    const skeleton::SkeletonGraph graph =
+        skeleton::to_world(stage_of(*skeleton, options.stage), skeleton->solid.world_from_grid);
     const nlohmann::json document = document_of(graph, options, times, warnings);
     if (!options.out.empty()) {
         if (const auto written = write_out(options.out, graph, document); !written.ok()) {

@@ -24,37 +24,38 @@ struct Options {
 
 /// One thinning with what it needs, in milliseconds.
 struct Run {
-    BitVolume skeleton;
+    voxel::BitVolume skeleton;
     double distance_ms = 0.0;
     double thin_ms = 0.0;
     double processor_ms = 0.0;
     [[nodiscard]] double took_ms() const { return distance_ms + thin_ms; }
 };
 
-Run run_once(const BitVolume& solid, const ThinningOptions& options) {
+Run run_once(const voxel::BitVolume& solid, const skeleton::ThinningOptions& options) {
     Run run;
     const std::clock_t begin = std::clock();
     Stopwatch watch;
-    DistanceField distance;
-    if (options.method == ThinningMethod::kAnchored) distance = distance_transform(solid);
+    voxel::DistanceField distance;
+    if (options.method == skeleton::ThinningMethod::kAnchored)
+        distance = voxel::distance_transform(solid);
     run.distance_ms = watch.lap_ms();
-    run.skeleton = thin(solid, distance, options);
+    run.skeleton = skeleton::thin(solid, distance, options);
     run.thin_ms = watch.lap_ms();
     run.processor_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     return run;
 }
 
-nlohmann::json to_json(const BettiNumbers& betti) {
+nlohmann::json to_json(const voxel::BettiNumbers& betti) {
     return {
         {"components", betti.components}, {"tunnels", betti.tunnels}, {"cavities", betti.cavities}};
 }
 
 Result<ExitCode> run(const Options& options, const Session& session) {
-    ThinningOptions thinning;
-    const Result<ThinningMethod> method = parse_thinning_method(options.method);
+    skeleton::ThinningOptions thinning;
+    const Result<skeleton::ThinningMethod> method = skeleton::parse_thinning_method(options.method);
     if (!method.ok()) return method.error();
     thinning.method = *method;
-    const Result<BitVolume> solid = read_npy(options.in);
+    const Result<voxel::BitVolume> solid = voxel::read_npy(options.in);
     if (!solid.ok()) return solid.error();
 
     std::vector<double> runs_ms;
@@ -65,13 +66,13 @@ Result<ExitCode> run(const Options& options, const Session& session) {
         runs_ms.push_back(last.took_ms());
         runs_processor_ms.push_back(last.processor_ms);
     }
-    const BitVolume& skeleton = last.skeleton;
-    if (const auto written = write_npy(skeleton, options.out); !written.ok()) {
+    const voxel::BitVolume& skeleton = last.skeleton;
+    if (const auto written = voxel::write_npy(skeleton, options.out); !written.ok()) {
         return written.error();
     }
 
-    const BettiNumbers before = betti_numbers(*solid);
-    const BettiNumbers after = betti_numbers(skeleton);
+    const voxel::BettiNumbers before = voxel::betti_numbers(*solid);
+    const voxel::BettiNumbers after = voxel::betti_numbers(skeleton);
     if (session.json) {
         print_json({{"method", options.method},
                     {"size", {solid->size().x(), solid->size().y(), solid->size().z()}},

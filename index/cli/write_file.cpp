@@ -19,7 +19,7 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
     return {};
 }
 
-std::string wavefront_lines(const SkeletonGraph& graph) {
+std::string wavefront_lines(const skeleton::SkeletonGraph& graph) {
     std::string vertices = "# curve skeleton: one polyline a branch\n";
     std::string lines;
     std::size_t next = 1;  // .obj counts from 1

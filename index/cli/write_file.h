@@ -13,6 +13,6 @@ namespace ossuary::cli {
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// A skeleton as Wavefront .obj polylines, one `l` a branch, in the graph's unit.
-[[nodiscard]] std::string wavefront_lines(const SkeletonGraph& graph);
+[[nodiscard]] std::string wavefront_lines(const skeleton::SkeletonGraph& graph);
 
 }  // namespace ossuary::cli

@@ -42,14 +42,14 @@ bool is_outline_or_crease(const Vec3f& a, const Vec3f& b, const Vec3f& c, const 
 
 }  // namespace
 
-std::vector<std::uint8_t> outline_mask(const TriangleMesh& mesh, std::span<const Vec3f> vertices,
-                                       int size) {
+std::vector<std::uint8_t> outline_mask(const mesh::TriangleMesh& mesh,
+                                       std::span<const Vec3f> vertices, int size) {
     std::vector<std::uint8_t> mask(static_cast<std::size_t>(size * size), 0);
-    const EdgeTable table = build_edge_table(mesh);
+    const mesh::EdgeTable table = mesh::build_edge_table(mesh);
     const auto opposite = [&](std::uint32_t side) {
         return vertices[mesh.triangles[side / 3][(side % 3 + 2) % 3]];
     };
-    for (const EdgeTable::Edge& edge : table.edges) {
+    for (const mesh::EdgeTable::Edge& edge : table.edges) {
         const Vec3f& a = vertices[edge.a];
         const Vec3f& b = vertices[edge.b];
         const auto sides = table.sides_of(edge);

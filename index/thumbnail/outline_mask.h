@@ -13,7 +13,7 @@ namespace ossuary::index {
 /// project to the same side of it), boundaries, non-manifold edges and creases. Whether something
 /// hides the edge is not asked. `vertices` are those of the mesh in pixels, x to the right and y
 /// downwards, z towards the viewer in the same unit.
-std::vector<std::uint8_t> outline_mask(const TriangleMesh& mesh, std::span<const Vec3f> vertices,
-                                       int size);
+std::vector<std::uint8_t> outline_mask(const mesh::TriangleMesh& mesh,
+                                       std::span<const Vec3f> vertices, int size);
 
 }  // namespace ossuary::index

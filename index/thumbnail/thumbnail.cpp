@@ -32,7 +32,7 @@ Vec3f linear_color(const Rgb& srgb) {
     return {linear_from_srgb(srgb[0]), linear_from_srgb(srgb[1]), linear_from_srgb(srgb[2])};
 }
 
-Result<void> check(const TriangleMesh& mesh, const ThumbnailOptions& options) {
+Result<void> check(const mesh::TriangleMesh& mesh, const ThumbnailOptions& options) {
     const auto invalid = [](const char* text) -> Result<void> {
         return {ErrorCode::kInvalidArgument, text};
     };
@@ -53,7 +53,7 @@ Result<void> check(const TriangleMesh& mesh, const ThumbnailOptions& options) {
         return invalid("thumbnail view: expected an upward direction across the line of sight");
     }
     if (mesh.empty()) return {ErrorCode::kMeshEmpty, "a mesh without triangles has no picture"};
-    if (!(measure(mesh).surface_area > 0)) {
+    if (!(mesh::measure(mesh).surface_area > 0)) {
         return {ErrorCode::kMeshNoExtent, "a mesh without area has no picture"};
     }
     return {};
@@ -61,7 +61,8 @@ Result<void> check(const TriangleMesh& mesh, const ThumbnailOptions& options) {
 
 /// The vertices as they fall into the picture: in pixels, x to the right and y downwards from the
 /// upper left corner, z towards the viewer.
-std::vector<Vec3f> framed_vertices(const TriangleMesh& mesh, const ThumbnailOptions& options) {
+std::vector<Vec3f> framed_vertices(const mesh::TriangleMesh& mesh,
+                                   const ThumbnailOptions& options) {
     const Vec3 towards = options.towards_viewer.normalized();
     const Vec3 right = options.up.cross(towards).normalized();
     Mat3 view;
@@ -96,8 +97,8 @@ struct Pixel {
 /// the time of nine rays through every pixel, with sixteen where they count.
 class Painter {
 public:
-    Painter(const WeldResult& welded, const std::vector<Vec3f>& vertices, const RayScene& scene,
-            const ThumbnailOptions& options)
+    Painter(const mesh::WeldResult& welded, const std::vector<Vec3f>& vertices,
+            const RayScene& scene, const ThumbnailOptions& options)
         : mesh_(welded.mesh),
           vertices_(vertices),
           scene_(scene),
@@ -200,7 +201,7 @@ private:
         pixels_[p].covered = static_cast<float>(met) / static_cast<float>(samples);
     }
 
-    const TriangleMesh& mesh_;
+    const mesh::TriangleMesh& mesh_;
     const std::vector<Vec3f>& vertices_;
     const RayScene& scene_;
     const ThumbnailOptions& options_;
@@ -238,9 +239,10 @@ std::vector<std::uint8_t> to_bytes(const std::vector<Pixel>& pixels,
 
 }  // namespace
 
-Result<PixelPicture> render_pixels(const TriangleMesh& mesh, const ThumbnailOptions& options) {
+Result<PixelPicture> render_pixels(const mesh::TriangleMesh& mesh,
+                                   const ThumbnailOptions& options) {
     if (Result<void> checked = check(mesh, options); !checked) return checked.error();
-    const WeldResult welded = weld(mesh);  // so that shading runs across a soup's seams
+    const mesh::WeldResult welded = mesh::weld(mesh);  // so that shading runs across a soup's seams
     const std::vector<Vec3f> vertices = framed_vertices(welded.mesh, options);
     const Result<RayScene> scene = RayScene::build(vertices, welded.mesh.triangles);
     if (!scene) return scene.error();
@@ -248,7 +250,7 @@ Result<PixelPicture> render_pixels(const TriangleMesh& mesh, const ThumbnailOpti
     return PixelPicture{options.size, options.background ? 3 : 4, to_bytes(pixels, options)};
 }
 
-Result<std::vector<std::uint8_t>> render_thumbnail(const TriangleMesh& mesh,
+Result<std::vector<std::uint8_t>> render_thumbnail(const mesh::TriangleMesh& mesh,
                                                    const ThumbnailOptions& options) {
     const Result<PixelPicture> picture = render_pixels(mesh, options);
     if (!picture) return picture.error();

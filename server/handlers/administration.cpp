@@ -18,9 +18,9 @@ Checked<Response> add_model(Service& service, const Request& request) {
     const auto upload = read_upload(request);
     if (!upload) return tl::unexpected<Problem>(upload.error());
     // A file that cannot be read is refused here and now rather than in a job later.
-    ReadMeshOptions caps;
+    mesh::ReadMeshOptions caps;
     caps.max_bytes = service.options.http.max_body;
-    const auto mesh = read_mesh(upload->bytes, upload->name, caps);
+    const auto mesh = mesh::read_mesh(upload->bytes, upload->name, caps);
     if (!mesh) return fail(mesh.error());
 
     const std::string* class_name = find_field(request.head.parameters, "class");

@@ -15,7 +15,7 @@ Checked<Response> compare(Service& service, const Request& request) {
     reader.require("b");
     const auto a = reader.integer("a", 1, kMost);
     const auto b = reader.integer("b", 1, kMost);
-    const RankOptions options = read_rank_options(reader, false);
+    const ranking::RankOptions options = read_rank_options(reader, false);
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
 
     const auto slot = wait_for_slot(service, request);

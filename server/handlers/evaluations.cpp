@@ -13,10 +13,10 @@ namespace {
 /// The evaluation that path and parameters name.
 Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& request) {
     ParameterReader reader(request.head);
-    RankOptions options;
+    ranking::RankOptions options;
     options.jobs = 0;
     options.rerank = reader.boolean("rerank").value_or(false);
-    const auto ranker = parse_ranker(request.capture);
+    const auto ranker = ranking::parse_ranker(request.capture);
     if (!ranker) reader.refuse("ranker", ranker.error().message);
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
     options.ranker = *ranker;
@@ -28,7 +28,7 @@ Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& r
     return **evaluation;
 }
 
-nlohmann::json entry(RankerKind ranker, bool rerank, const Evaluable& collection,
+nlohmann::json entry(ranking::RankerKind ranker, bool rerank, const Evaluable& collection,
                      nlohmann::json computed_at) {
     const std::string base = "/v1/evaluations/" + std::string(to_string(ranker));
     const std::string query = rerank ? "?rerank=true" : "";
@@ -57,9 +57,9 @@ Checked<Response> list_evaluations(Service& service, const Request& request) {
     const Evaluable collection = evaluable(**snapshot);
     const bool possible =
         collection.classes >= 2 && collection.models <= service.evaluations.max_models();
-    for (const RankerKind ranker : kAllRankers) {
+    for (const ranking::RankerKind ranker : ranking::kAllRankers) {
         for (const bool rerank : {false, true}) {
-            RankOptions options;
+            ranking::RankOptions options;
             options.ranker = ranker;
             options.rerank = rerank;
             std::string computed_at;

@@ -26,7 +26,7 @@ Checked<index::ModelSegments> stored_segments(Service& service, index::ModelId i
     if (!model) return fail(model.error());
     std::string detail =
         "Model " + std::to_string(id) + " could not be cut into parts when it was indexed";
-    for (const MeshWarning& warning : model->warnings) {
+    for (const mesh::MeshWarning& warning : model->warnings) {
         if (warning.code == index::kSegmentsMissing) detail += ": " + warning.message;
     }
     return fail(RequestFault::kSegmentsNotAvailable, detail);

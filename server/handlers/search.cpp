@@ -27,8 +27,8 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     return parameters;
 }
 
-nlohmann::json preview_of(const TriangleMesh& mesh) {
-    const TriangleMesh coarse = decimate(mesh);
+nlohmann::json preview_of(const mesh::TriangleMesh& mesh) {
+    const mesh::TriangleMesh coarse = mesh::decimate(mesh);
     index::PreviewMesh preview;
     Box3 bounds;
     for (const Vec3& vertex : mesh.vertices) bounds.extend(vertex);
@@ -58,9 +58,9 @@ Checked<Response> search(Service& service, const Request& request) {
     if (!slot) return tl::unexpected<Problem>(slot.error());
 
     Stopwatch watch;
-    ReadMeshOptions caps;
+    mesh::ReadMeshOptions caps;
     caps.max_bytes = service.options.http.max_body;
-    const auto query = read_mesh(upload->bytes, upload->name, caps);
+    const auto query = mesh::read_mesh(upload->bytes, upload->name, caps);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
     auto result = service.searcher.search(query->mesh, parameters.options, request.stop);

@@ -25,19 +25,21 @@ namespace {
 using namespace ossuary;
 namespace fs = std::filesystem;
 
-constexpr Eigen::Index kUnknowns = static_cast<Eigen::Index>(kPairFeatureCount) + 1;
+constexpr Eigen::Index kUnknowns =
+    static_cast<Eigen::Index>(ossuary::decomposition::kPairFeatureCount) + 1;
 constexpr double kRidge = 1e-4;  // on standardized features
 using Vector = Eigen::Matrix<double, kUnknowns, 1>;
 using Matrix = Eigen::Matrix<double, kUnknowns, kUnknowns>;
 
 struct Example {
-    PatchPairs pairs;
+    ossuary::decomposition::PatchPairs pairs;
     std::vector<double> together;  ///< share of people
     std::vector<double> weights;   ///< sum 1
 };
 
 /// For each patch the share of its triangles in each part of a segmentation.
-std::vector<std::vector<double>> shares(const PatchGraph& graph, const Segmentation& truth) {
+std::vector<std::vector<double>> shares(const ossuary::decomposition::PatchGraph& graph,
+                                        const ossuary::decomposition::Segmentation& truth) {
     std::vector<std::vector<double>> share(graph.size(), std::vector<double>(truth.parts, 0.0));
     for (std::size_t t = 0; t < truth.labels.size(); ++t) {
         const std::uint32_t patch = graph.of_triangle[t];
@@ -48,23 +50,24 @@ std::vector<std::vector<double>> shares(const PatchGraph& graph, const Segmentat
 
 std::optional<Example> example_of(const fs::path& models, const fs::path& truth_folder,
                                   const std::string& id) {
-    const auto read = read_mesh(models / (id + ".off"));
+    const auto read = ossuary::mesh::read_mesh(models / (id + ".off"));
     if (!read.ok()) return std::nullopt;
-    const auto truths = read_segmentations(truth_folder, id, read->mesh.triangles.size());
+    const auto truths =
+        ossuary::decomposition::read_segmentations(truth_folder, id, read->mesh.triangles.size());
     if (!truths.ok() || truths->empty()) return std::nullopt;
-    const auto patches = measure_patches(read->mesh);
+    const auto patches = ossuary::decomposition::measure_patches(read->mesh);
     if (!patches.ok()) return std::nullopt;
     Example example;
     example.pairs = patches->pairs;
     example.together.assign(example.pairs.features.size(), 0.0);
     double total = 0.0;
-    for (const Segmentation& truth : *truths) {
+    for (const ossuary::decomposition::Segmentation& truth : *truths) {
         const auto share = shares(patches->graph, truth);
         for (std::size_t j = 1; j < patches->graph.size(); ++j) {
             for (std::size_t i = 0; i < j; ++i) {
                 double same = 0.0;
                 for (std::size_t l = 0; l < truth.parts; ++l) same += share[i][l] * share[j][l];
-                example.together[PatchPairs::index(i, j)] +=
+                example.together[ossuary::decomposition::PatchPairs::index(i, j)] +=
                     same / static_cast<double>(truths->size());
             }
         }
@@ -80,9 +83,9 @@ std::optional<Example> example_of(const fs::path& models, const fs::path& truth_
     return example;
 }
 
-Vector unknowns_of(const PairFeatures& features) {
+Vector unknowns_of(const ossuary::decomposition::PairFeatures& features) {
     Vector x;
-    for (std::size_t k = 0; k < kPairFeatureCount; ++k) {
+    for (std::size_t k = 0; k < ossuary::decomposition::kPairFeatureCount; ++k) {
         x[static_cast<Eigen::Index>(k)] = static_cast<double>(features[k]);
     }
     x[kUnknowns - 1] = 1.0;
@@ -140,13 +143,14 @@ int main(int argc, char** argv) {
         std::cerr << "usage: ossuary_fit_affinity CLASSES.cla MODELS_DIR TRUTH_DIR\n";
         return 2;
     }
-    const auto classes = read_classification(argv[1]);
+    const auto classes = ossuary::ranking::read_classification(argv[1]);
     if (!classes.ok()) {
         std::cerr << classes.error().message << '\n';
         return 1;
     }
     std::vector<Example> examples;
-    for (const ClassifiedModel& model : models_in_order(*classes)) {
+    for (const ossuary::ranking::ClassifiedModel& model :
+         ossuary::ranking::models_in_order(*classes)) {
         auto example = example_of(argv[2], argv[3], model.id);
         if (example) examples.push_back(*std::move(example));
     }
@@ -155,9 +159,9 @@ int main(int argc, char** argv) {
     const auto [mean, deviation] = moments(examples);
     Vector weights = fit(examples, mean, deviation).cwiseQuotient(deviation);
     weights[kUnknowns - 1] -= weights.head<kUnknowns - 1>().dot(mean.head<kUnknowns - 1>());
-    for (std::size_t k = 0; k < kPairFeatureCount; ++k) {
+    for (std::size_t k = 0; k < ossuary::decomposition::kPairFeatureCount; ++k) {
         std::cout << fmt::format("    {:.4f}F,  // {}\n", weights[static_cast<Eigen::Index>(k)],
-                                 kPairFeatureNames[k]);
+                                 ossuary::decomposition::kPairFeatureNames[k]);
     }
     std::cout << fmt::format("    constant {:.4f}\n", weights[kUnknowns - 1]);
     return 0;

@@ -29,32 +29,32 @@ using Random = std::mt19937_64;
 
 constexpr std::size_t kCopies = 100;
 
-void turn(TriangleMesh& mesh, Random& random) {
+void turn(ossuary::mesh::TriangleMesh& mesh, Random& random) {
     std::normal_distribution<double> normal;
     Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
     const Mat3 rotation = q.normalized().toRotationMatrix();
     for (Vec3& vertex : mesh.vertices) vertex = rotation * vertex;
 }
 
-void add_noise(TriangleMesh& mesh, Random& random) {
-    std::normal_distribution<double> normal(0.0, 0.002 * measure(mesh).diagonal);
+void add_noise(ossuary::mesh::TriangleMesh& mesh, Random& random) {
+    std::normal_distribution<double> normal(0.0, 0.002 * ossuary::mesh::measure(mesh).diagonal);
     for (Vec3& vertex : mesh.vertices) {
         vertex += Vec3(normal(random), normal(random), normal(random));
     }
 }
 
-void decimate_to_30_percent(TriangleMesh& mesh, Random&) {
-    DecimateOptions options;
+void decimate_to_30_percent(ossuary::mesh::TriangleMesh& mesh, Random&) {
+    ossuary::mesh::DecimateOptions options;
     options.max_triangles = mesh.triangles.size() * 3 / 10;
-    mesh = decimate(mesh, options);
+    mesh = ossuary::mesh::decimate(mesh, options);
 }
 
-void mirror(TriangleMesh& mesh, Random&) {
+void mirror(ossuary::mesh::TriangleMesh& mesh, Random&) {
     for (Vec3& vertex : mesh.vertices) vertex.x() = -vertex.x();
     for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
-void scale_and_renumber(TriangleMesh& mesh, Random& random) {
+void scale_and_renumber(ossuary::mesh::TriangleMesh& mesh, Random& random) {
     std::vector<std::uint32_t> place(mesh.vertices.size());
     for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
     std::shuffle(place.begin(), place.end(), random);
@@ -71,7 +71,7 @@ void scale_and_renumber(TriangleMesh& mesh, Random& random) {
 
 struct Change {
     const char* name;
-    void (*apply)(TriangleMesh&, Random&);
+    void (*apply)(ossuary::mesh::TriangleMesh&, Random&);
 };
 constexpr Change kChanges[] = {{"turned", turn},
                                {"noise", add_noise},
@@ -79,14 +79,14 @@ constexpr Change kChanges[] = {{"turned", turn},
                                {"mirrored", mirror},
                                {"scaled", scale_and_renumber}};
 
-TriangleMesh read(const std::filesystem::path& folder, const std::string& id) {
-    Result<ReadMeshResult> read = read_mesh(folder / (id + ".off"));
+ossuary::mesh::TriangleMesh read(const std::filesystem::path& folder, const std::string& id) {
+    Result<ossuary::mesh::ReadMeshResult> read = ossuary::mesh::read_mesh(folder / (id + ".off"));
     if (!read) throw std::runtime_error(read.error().message);
     return std::move(read->mesh);
 }
 
-ModelDescriptor describe_mesh(const TriangleMesh& mesh) {
-    Result<Description> description = describe(mesh);
+ossuary::descriptor::ModelDescriptor describe_mesh(const ossuary::mesh::TriangleMesh& mesh) {
+    Result<ossuary::descriptor::Description> description = ossuary::descriptor::describe(mesh);
     if (!description) throw std::runtime_error(description.error().message);
     return std::move(description->descriptor);
 }
@@ -98,18 +98,20 @@ std::size_t models_before(const std::vector<double>& distances, std::size_t orig
                       [&](double distance) { return distance < distances[original]; }));
 }
 
-void run(const std::filesystem::path& collection, const RankOptions& options, int rounds) {
-    const auto classes = read_classification(collection / "segmentation-all.cla");
+void run(const std::filesystem::path& collection, const ossuary::ranking::RankOptions& options,
+         int rounds) {
+    const auto classes = ossuary::ranking::read_classification(collection / "segmentation-all.cla");
     if (!classes) throw std::runtime_error(classes.error().message);
-    const auto models = models_in_order(*classes);
-    std::vector<ModelDescriptor> originals(models.size());
+    const auto models = ossuary::ranking::models_in_order(*classes);
+    std::vector<ossuary::descriptor::ModelDescriptor> originals(models.size());
     parallel_for(models.size(), options.jobs, [&](std::size_t i) {
         originals[i] = describe_mesh(read(collection / "off", models[i].id));
     });
-    std::vector<const ModelDescriptor*> pointers;
-    for (const ModelDescriptor& original : originals) pointers.push_back(&original);
-    const auto statistics = *collection_statistics(pointers, options.jobs);
-    RankOptions one_thread = options;
+    std::vector<const ossuary::descriptor::ModelDescriptor*> pointers;
+    for (const ossuary::descriptor::ModelDescriptor& original : originals)
+        pointers.push_back(&original);
+    const auto statistics = *ossuary::ranking::collection_statistics(pointers, options.jobs);
+    ossuary::ranking::RankOptions one_thread = options;
     one_thread.jobs = 1;
     const std::size_t copies = kCopies * static_cast<std::size_t>(rounds);
     for (const Change& change : kChanges) {
@@ -119,10 +121,11 @@ void run(const std::filesystem::path& collection, const RankOptions& options, in
             const std::size_t original =
                 (copy % kCopies * models.size() / kCopies + round) % models.size();
             Random random(copy);
-            TriangleMesh mesh = read(collection / "off", models[original].id);
+            ossuary::mesh::TriangleMesh mesh = read(collection / "off", models[original].id);
             change.apply(mesh, random);
-            before[copy] = models_before(
-                *rank_distances(describe_mesh(mesh), pointers, statistics, one_thread), original);
+            before[copy] = models_before(*ossuary::ranking::rank_distances(
+                                             describe_mesh(mesh), pointers, statistics, one_thread),
+                                         original);
         });
         const auto first = std::count(before.begin(), before.end(), std::size_t{0});
         std::cout << fmt::format("{:<10} {:>4} of {} first\n", change.name, first, copies)
@@ -134,14 +137,15 @@ void run(const std::filesystem::path& collection, const RankOptions& options, in
 
 int main(int argc, char** argv) {
     const auto data = test::benchmark_data();
-    const Result<RankerKind> ranker = parse_ranker(argc > 1 ? argv[1] : "skeleton");
+    const Result<ossuary::ranking::RankerKind> ranker =
+        ossuary::ranking::parse_ranker(argc > 1 ? argv[1] : "skeleton");
     const int rounds = argc > 2 ? std::atoi(argv[2]) : 1;
     if (!data || !ranker || rounds < 1 || argc > 3) {
         std::cerr << "usage: ossuary_invariance [RANKER [ROUNDS]], with OSSUARY_DATA set to the "
                      "folder of princeton-segmentation/\n";
         return 2;
     }
-    RankOptions options;
+    ossuary::ranking::RankOptions options;
     options.ranker = *ranker;
     options.jobs = 2;
     try {

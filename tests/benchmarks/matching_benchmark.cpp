@@ -9,10 +9,10 @@ namespace ossuary::benchmarks {
 namespace {
 
 // The workload's descriptor and the next workload's: two different models.
-std::pair<ModelDescriptor, ModelDescriptor> pair_of(std::size_t index) {
+std::pair<descriptor::ModelDescriptor, descriptor::ModelDescriptor> pair_of(std::size_t index) {
     const auto& all = workloads();
-    return {describe(all[index].mesh)->descriptor,
-            describe(all[(index + 1) % all.size()].mesh)->descriptor};
+    return {descriptor::describe(all[index].mesh)->descriptor,
+            descriptor::describe(all[(index + 1) % all.size()].mesh)->descriptor};
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ void register_matching_benchmarks() {
         benchmark::RegisterBenchmark(("skeleton_distance/" + workload).c_str(),
                                      [i](benchmark::State& state) {
                                          const auto [a, b] = pair_of(i);
-                                         SkeletonMatchWorkspace workspace;
+                                         matching::SkeletonMatchWorkspace workspace;
                                          for (auto _ : state) {
-                                             benchmark::DoNotOptimize(skeleton_distance(
+                                             benchmark::DoNotOptimize(matching::skeleton_distance(
                                                  a.skeleton, b.skeleton, {}, workspace));
                                          }
                                      })
@@ -33,9 +33,9 @@ void register_matching_benchmarks() {
         benchmark::RegisterBenchmark(("chain_code_distance/" + workload).c_str(),
                                      [i](benchmark::State& state) {
                                          const auto [a, b] = pair_of(i);
-                                         ChainCodeMatchWorkspace workspace;
+                                         matching::ChainCodeMatchWorkspace workspace;
                                          for (auto _ : state) {
-                                             benchmark::DoNotOptimize(chain_code_distance(
+                                             benchmark::DoNotOptimize(matching::chain_code_distance(
                                                  a.skeleton, b.skeleton, {}, workspace));
                                          }
                                      })
@@ -44,7 +44,7 @@ void register_matching_benchmarks() {
                                                                                       state) {
             const auto [a, b] = pair_of(i);
             for (auto _ : state) {
-                benchmark::DoNotOptimize(match_skeletons(a.skeleton, b.skeleton));
+                benchmark::DoNotOptimize(matching::match_skeletons(a.skeleton, b.skeleton));
             }
         })->Unit(benchmark::kMicrosecond);
     }

@@ -12,7 +12,7 @@ void register_mesh_benchmarks() {
         const auto name = [&](const char* stage) { return stage + ("/" + workload.name); };
         benchmark::RegisterBenchmark(name("read_off").c_str(), [&](benchmark::State& state) {
             for (auto _ : state) {
-                auto read = read_mesh(workload.off, workload.name);
+                auto read = mesh::read_mesh(workload.off, workload.name);
                 if (!read.ok()) state.SkipWithError(read.error().message.c_str());
                 benchmark::DoNotOptimize(read);
             }
@@ -20,10 +20,10 @@ void register_mesh_benchmarks() {
                                     state.iterations());
         })->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(name("inspect").c_str(), [&](benchmark::State& state) {
-            for (auto _ : state) benchmark::DoNotOptimize(inspect(workload.mesh));
+            for (auto _ : state) benchmark::DoNotOptimize(mesh::inspect(workload.mesh));
         })->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(name("decimate").c_str(), [&](benchmark::State& state) {
-            for (auto _ : state) benchmark::DoNotOptimize(decimate(workload.mesh));
+            for (auto _ : state) benchmark::DoNotOptimize(mesh::decimate(workload.mesh));
         })->Unit(benchmark::kMillisecond);
     }
 }

@@ -37,15 +37,16 @@ T unwrap(Result<T> result) {
     return *std::move(result);
 }
 
-double area_of(const TriangleMesh& mesh, std::size_t face) {
+double area_of(const ossuary::mesh::TriangleMesh& mesh, std::size_t face) {
     const auto& [a, b, c] = mesh.triangles[face];
     const Vec3 u = mesh.vertices[b] - mesh.vertices[a];
     return 0.5 * u.cross(mesh.vertices[c] - mesh.vertices[a]).norm();
 }
 
 /// The faces of `mesh` in `kept`, as a mesh of their own with a hole where they were cut off.
-TriangleMesh submesh(const TriangleMesh& mesh, const std::vector<std::size_t>& kept) {
-    TriangleMesh part;
+ossuary::mesh::TriangleMesh submesh(const ossuary::mesh::TriangleMesh& mesh,
+                                    const std::vector<std::size_t>& kept) {
+    ossuary::mesh::TriangleMesh part;
     std::map<std::uint32_t, std::uint32_t> place;
     for (const std::size_t face : kept) {
         std::array<std::uint32_t, 3> triangle{};
@@ -63,7 +64,9 @@ TriangleMesh submesh(const TriangleMesh& mesh, const std::vector<std::size_t>& k
 }
 
 /// What hangs together once the part with the greatest area is gone, the largest limbs first.
-std::vector<TriangleMesh> limbs_of(const TriangleMesh& mesh, const Segmentation& segmentation) {
+std::vector<ossuary::mesh::TriangleMesh> limbs_of(
+    const ossuary::mesh::TriangleMesh& mesh,
+    const ossuary::decomposition::Segmentation& segmentation) {
     std::map<std::uint32_t, double> areas;
     double total = 0.0;
     for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
@@ -73,7 +76,7 @@ std::vector<TriangleMesh> limbs_of(const TriangleMesh& mesh, const Segmentation&
     const auto largest =
         std::max_element(areas.begin(), areas.end(),
                          [](const auto& x, const auto& y) { return x.second < y.second; });
-    DisjointSets sets(mesh.vertices.size());
+    ossuary::mesh::DisjointSets sets(mesh.vertices.size());
     for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
         if (segmentation.labels[face] == largest->first) continue;
         sets.unite(mesh.triangles[face][0], mesh.triangles[face][1]);
@@ -96,7 +99,7 @@ std::vector<TriangleMesh> limbs_of(const TriangleMesh& mesh, const Segmentation&
     }
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Limb& x, const Limb& y) { return x.area > y.area; });
-    std::vector<TriangleMesh> meshes;
+    std::vector<ossuary::mesh::TriangleMesh> meshes;
     for (std::size_t i = 0; i < std::min(kLimbs, sorted.size()); ++i) {
         meshes.push_back(submesh(mesh, sorted[i].faces));
     }
@@ -143,15 +146,18 @@ void run(const fs::path& collection, const fs::path& index_path) {
     for (std::size_t i = 0; i < snapshot->size(); ++i) {
         const std::string& name = snapshot->models()[i].name;
         if (labels[i].empty() || seen[labels[i]]++ % kEvery != 0) continue;
-        const TriangleMesh mesh = unwrap(read_mesh(collection / "off" / (name + ".off"))).mesh;
-        const auto segmentations =
-            unwrap(read_segmentations(collection / "seg", name, mesh.triangles.size()));
+        const ossuary::mesh::TriangleMesh mesh =
+            unwrap(ossuary::mesh::read_mesh(collection / "off" / (name + ".off"))).mesh;
+        const auto segmentations = unwrap(ossuary::decomposition::read_segmentations(
+            collection / "seg", name, mesh.triangles.size()));
         if (segmentations.empty()) continue;
-        for (const TriangleMesh& limb : limbs_of(mesh, segmentations.front())) {
-            const ModelDescriptor query = unwrap(describe(limb)).descriptor;
-            const auto as_part = *part_distances(query, snapshot->descriptors(), {});
-            const auto as_whole =
-                *rank_distances(query, snapshot->descriptors(), snapshot->statistics());
+        for (const ossuary::mesh::TriangleMesh& limb : limbs_of(mesh, segmentations.front())) {
+            const ossuary::descriptor::ModelDescriptor query =
+                unwrap(ossuary::descriptor::describe(limb)).descriptor;
+            const auto as_part =
+                *ossuary::ranking::part_distances(query, snapshot->descriptors(), {});
+            const auto as_whole = *ossuary::ranking::rank_distances(query, snapshot->descriptors(),
+                                                                   snapshot->statistics());
             for (Outcome* outcome : {&outcomes[labels[i]], &all}) {
                 ++outcome->queries;
                 outcome->as_part += found_in_first(as_part, labels, i);

@@ -41,15 +41,15 @@ T unwrap(Result<T> result) {
 }
 
 /// Points of the surface, centred, in units of the square root of its area, along principal axes.
-Points surface_points(const TriangleMesh& mesh) {
-    const auto samples = sample_surface(mesh, {.count = kPoints});
+Points surface_points(const ossuary::mesh::TriangleMesh& mesh) {
+    const auto samples = ossuary::mesh::sample_surface(mesh, {.count = kPoints});
     Points points(3, static_cast<Eigen::Index>(samples.size()));
     for (std::size_t i = 0; i < samples.size(); ++i) {
         points.col(static_cast<Eigen::Index>(i)) = samples[i].point;
     }
     const Vec3 centre = points.rowwise().mean();
     points.colwise() -= centre;
-    points /= std::sqrt(measure(mesh).surface_area);
+    points /= std::sqrt(ossuary::mesh::measure(mesh).surface_area);
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(points * points.transpose());
     return axes.eigenvectors().transpose() * points;
 }
@@ -131,7 +131,8 @@ struct Class {
     std::vector<double> reference;     // square matrix
 };
 
-void print_weight(const Class& group, const DistanceMatrix& distances, double pose) {
+void print_weight(const Class& group, const ossuary::ranking::DistanceMatrix& distances,
+                  double pose) {
     const std::size_t n = group.members.size();
     std::vector<double> found, wanted;
     double first = 0.0, among_three = 0.0, nearer = 0.0;
@@ -165,19 +166,20 @@ void print_weight(const Class& group, const DistanceMatrix& distances, double po
 }
 
 void run(const fs::path& collection, const std::vector<std::string>& names) {
-    const auto models =
-        models_in_order(unwrap(read_classification(collection / "segmentation-thesis10.cla")));
-    std::vector<ModelDescriptor> described(models.size());
+    const auto models = ossuary::ranking::models_in_order(
+        unwrap(ossuary::ranking::read_classification(collection / "segmentation-thesis10.cla")));
+    std::vector<ossuary::descriptor::ModelDescriptor> described(models.size());
     std::vector<Points> surfaces(models.size());
     parallel_for(models.size(), kJobs, [&](std::size_t i) {
-        const TriangleMesh mesh =
-            unwrap(read_mesh(collection / "off" / (models[i].id + ".off"))).mesh;
-        described[i] = unwrap(describe(mesh)).descriptor;
+        const ossuary::mesh::TriangleMesh mesh =
+            unwrap(ossuary::mesh::read_mesh(collection / "off" / (models[i].id + ".off"))).mesh;
+        described[i] = unwrap(ossuary::descriptor::describe(mesh)).descriptor;
         surfaces[i] = surface_points(mesh);
     });
-    std::vector<const ModelDescriptor*> pointers;
-    for (const ModelDescriptor& model : described) pointers.push_back(&model);
-    const CollectionStatistics statistics = *collection_statistics(pointers, kJobs);
+    std::vector<const ossuary::descriptor::ModelDescriptor*> pointers;
+    for (const ossuary::descriptor::ModelDescriptor& model : described) pointers.push_back(&model);
+    const ossuary::ranking::CollectionStatistics statistics =
+        *ossuary::ranking::collection_statistics(pointers, kJobs);
     std::vector<Class> groups;
     for (const std::string& name : names) {
         Class& group = groups.emplace_back();
@@ -198,16 +200,17 @@ void run(const fs::path& collection, const std::vector<std::string>& names) {
     }
     for (std::size_t g = 0; g < groups.size(); ++g) {
         std::cout << names[g] << '\n';
-        std::vector<const ModelDescriptor*> members;
+        std::vector<const ossuary::descriptor::ModelDescriptor*> members;
         for (const std::size_t i : groups[g].members) members.push_back(&described[i]);
         Class local = groups[g];
         std::iota(local.members.begin(), local.members.end(), std::size_t{0});
         for (const double pose : {0.0, 0.15, 0.5, 1.0}) {
-            RankOptions options;
-            options.ranker = RankerKind::kSkeleton;
+            ossuary::ranking::RankOptions options;
+            options.ranker = ossuary::ranking::RankerKind::kSkeleton;
             options.pose = pose;
             options.jobs = kJobs;
-            print_weight(local, *distance_matrix(members, statistics, options), pose);
+            print_weight(local, *ossuary::ranking::distance_matrix(members, statistics, options),
+                         pose);
         }
     }
 }

@@ -22,8 +22,8 @@ constexpr std::size_t kMaxOriginals = 380;
 constexpr std::size_t kQueries = 10;
 
 /// The segmentation benchmark's models, or the built workloads where it is not at hand.
-std::vector<ModelDescriptor> originals() {
-    std::vector<ModelDescriptor> models;
+std::vector<descriptor::ModelDescriptor> originals() {
+    std::vector<descriptor::ModelDescriptor> models;
     if (const auto folder = test::benchmark_data()) {
         std::vector<std::filesystem::path> files;
         for (const auto& entry :
@@ -32,12 +32,12 @@ std::vector<ModelDescriptor> originals() {
         }
         std::sort(files.begin(), files.end());
         for (std::size_t i = 0; i < std::min(files.size(), kMaxOriginals); ++i) {
-            const auto mesh = read_mesh(files[i]);
-            if (mesh) models.push_back(describe(mesh->mesh)->descriptor);
+            const auto mesh = mesh::read_mesh(files[i]);
+            if (mesh) models.push_back(descriptor::describe(mesh->mesh)->descriptor);
         }
     }
     for (std::size_t i = 0; models.empty() && i < workloads().size(); ++i) {
-        models.push_back(describe(workloads()[i].mesh)->descriptor);
+        models.push_back(descriptor::describe(workloads()[i].mesh)->descriptor);
     }
     return models;
 }
@@ -50,37 +50,38 @@ double noise(std::mt19937_64& random) {
 }
 
 /// Another model of the same build: limbs of other lengths and radii, other global descriptors.
-ModelDescriptor perturbed(const ModelDescriptor& original, std::uint64_t seed) {
+descriptor::ModelDescriptor perturbed(const descriptor::ModelDescriptor& original,
+                                      std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    ModelDescriptor model = original;
-    for (SkeletonDescriptor::Branch& branch : model.skeleton.branches) {
+    descriptor::ModelDescriptor model = original;
+    for (matching::SkeletonDescriptor::Branch& branch : model.skeleton.branches) {
         const auto longer = static_cast<float>(std::exp(0.1 * noise(random)));
         const auto thicker = static_cast<float>(std::exp(0.1 * noise(random)));
         branch.length *= longer;
         for (float& radius : branch.radii) radius *= thicker;
     }
-    derive_matching_data(model.skeleton);
-    for (GlobalDescriptor& global : model.globals) {
+    matching::derive_matching_data(model.skeleton);
+    for (descriptor::GlobalDescriptor& global : model.globals) {
         for (std::uint8_t& value : global.values) {
             const double changed = value * std::exp(0.1 * noise(random)) + 0.5 * noise(random);
             value = static_cast<std::uint8_t>(std::clamp(std::round(changed), 0.0, 255.0));
         }
     }
-    model.signature = preselection_signature(model.skeleton, model.globals);
+    model.signature = descriptor::preselection_signature(model.skeleton, model.globals);
     return model;
 }
 
 struct Collection {
-    std::vector<ModelDescriptor> models;
-    std::vector<ModelDescriptor> queries;
-    std::vector<const ModelDescriptor*> pointers;
-    Preselection preselection;
-    CollectionStatistics statistics;
+    std::vector<descriptor::ModelDescriptor> models;
+    std::vector<descriptor::ModelDescriptor> queries;
+    std::vector<const descriptor::ModelDescriptor*> pointers;
+    ranking::Preselection preselection;
+    ranking::CollectionStatistics statistics;
 };
 
 /// Made once for each size; a hundred thousand models take a minute and two gigabytes.
 const Collection& collection_of(std::size_t size) {
-    static const std::vector<ModelDescriptor> kOriginals = originals();
+    static const std::vector<descriptor::ModelDescriptor> kOriginals = originals();
     static std::map<std::size_t, Collection> known;
     Collection& collection = known[size];
     if (!collection.models.empty()) return collection;
@@ -90,27 +91,29 @@ const Collection& collection_of(std::size_t size) {
     for (std::size_t i = 0; i < kQueries; ++i) {
         collection.queries.push_back(perturbed(kOriginals[(i * 37) % kOriginals.size()], size + i));
     }
-    for (const ModelDescriptor& model : collection.models) collection.pointers.push_back(&model);
-    collection.preselection = Preselection(collection.pointers);
-    collection.statistics = *collection_statistics(collection.pointers);
+    for (const descriptor::ModelDescriptor& model : collection.models)
+        collection.pointers.push_back(&model);
+    collection.preselection = ranking::Preselection(collection.pointers);
+    collection.statistics = *ranking::collection_statistics(collection.pointers);
     return collection;
 }
 
 /// The share of the exact ten nearest that the preselection finds.
 double recall(const Collection& collection) {
     std::size_t found = 0, wanted = 0;
-    for (const ModelDescriptor& query : collection.queries) {
-        const auto quick = *nearest_models(query, collection.pointers, collection.preselection,
-                                          collection.statistics, {});
-        NearestOptions exhaustive;
+    for (const descriptor::ModelDescriptor& query : collection.queries) {
+        const auto quick = *ranking::nearest_models(
+            query, collection.pointers, collection.preselection, collection.statistics, {});
+        ranking::NearestOptions exhaustive;
         exhaustive.exhaustive_below = collection.models.size();
-        const auto exact = *nearest_models(query, collection.pointers, collection.preselection,
-                                          collection.statistics, {}, exhaustive);
-        for (const RankedModel& model : exact) {
+        const auto exact =
+            *ranking::nearest_models(query, collection.pointers, collection.preselection,
+                                    collection.statistics, {}, exhaustive);
+        for (const ranking::RankedModel& model : exact) {
             ++wanted;
-            found += std::any_of(quick.begin(), quick.end(), [&](const RankedModel& other) {
-                return other.index == model.index;
-            });
+            found += std::any_of(
+                quick.begin(), quick.end(),
+                [&](const ranking::RankedModel& other) { return other.index == model.index; });
         }
     }
     return static_cast<double>(found) / static_cast<double>(wanted);
@@ -120,9 +123,9 @@ void time_search(benchmark::State& state, std::size_t size) {
     const Collection& collection = collection_of(size);
     std::size_t query = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(*nearest_models(collection.queries[query++ % kQueries],
-                                                collection.pointers, collection.preselection,
-                                                collection.statistics, {}));
+        benchmark::DoNotOptimize(
+            *ranking::nearest_models(collection.queries[query++ % kQueries], collection.pointers,
+                                    collection.preselection, collection.statistics, {}));
     }
     state.counters["recall_at_10"] = recall(collection);
 }

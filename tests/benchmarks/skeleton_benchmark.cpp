@@ -6,14 +6,15 @@
 namespace ossuary::benchmarks {
 namespace {
 
-void time_thinning(benchmark::State& state, const Workload& workload, ThinningMethod method) {
-    VoxelizeOptions voxels;
+void time_thinning(benchmark::State& state, const Workload& workload,
+                   skeleton::ThinningMethod method) {
+    voxel::VoxelizeOptions voxels;
     voxels.resolution = static_cast<int>(state.range(0));
-    const VoxelSolid solid = *voxelize(workload.mesh, voxels);
-    const DistanceField distance = distance_transform(solid.volume);
-    ThinningOptions options;
+    const voxel::VoxelSolid solid = *voxel::voxelize(workload.mesh, voxels);
+    const voxel::DistanceField distance = voxel::distance_transform(solid.volume);
+    skeleton::ThinningOptions options;
     options.method = method;
-    for (auto _ : state) benchmark::DoNotOptimize(thin(solid.volume, distance, options));
+    for (auto _ : state) benchmark::DoNotOptimize(skeleton::thin(solid.volume, distance, options));
     state.counters["voxels"] = static_cast<double>(solid.volume.count());
 }
 
@@ -24,7 +25,8 @@ void register_skeleton_benchmarks() {
         const auto name = [&](const char* stage) { return stage + ("/" + workload.name); };
         benchmark::RegisterBenchmark(name("thin_anchored").c_str(),
                                      [&](benchmark::State& state) {
-                                         time_thinning(state, workload, ThinningMethod::kAnchored);
+                                         time_thinning(state, workload,
+                                                       skeleton::ThinningMethod::kAnchored);
                                      })
             ->Arg(96)
             ->Arg(128)
@@ -32,22 +34,24 @@ void register_skeleton_benchmarks() {
             ->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(name("thin_parallel").c_str(),
                                      [&](benchmark::State& state) {
-                                         time_thinning(state, workload, ThinningMethod::kParallel);
+                                         time_thinning(state, workload,
+                                                       skeleton::ThinningMethod::kParallel);
                                      })
             ->Arg(96)
             ->Arg(128)
             ->Arg(256)
             ->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(name("refine").c_str(), [&](benchmark::State& state) {
-            const Skeleton skeleton = *skeletonize(workload.mesh);
+            const skeleton::Skeleton skeleton = *skeleton::skeletonize(workload.mesh);
             std::vector<Vec3> surface;
             for (const Vec3& vertex : workload.mesh.vertices) {
                 surface.push_back(skeleton.solid.world_from_grid.grid(vertex));
             }
-            for (auto _ : state) benchmark::DoNotOptimize(refine(skeleton.thinned, surface));
+            for (auto _ : state)
+                benchmark::DoNotOptimize(skeleton::refine(skeleton.thinned, surface));
         })->Unit(benchmark::kMillisecond);
         benchmark::RegisterBenchmark(name("skeletonize").c_str(), [&](benchmark::State& state) {
-            for (auto _ : state) benchmark::DoNotOptimize(skeletonize(workload.mesh));
+            for (auto _ : state) benchmark::DoNotOptimize(skeleton::skeletonize(workload.mesh));
         })->Unit(benchmark::kMillisecond);
     }
 }

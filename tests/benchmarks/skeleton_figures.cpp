@@ -28,16 +28,16 @@ constexpr std::array<const char*, 8> kColors = {"#c0392b", "#2471a3", "#1e8449",
 
 struct Model {
     std::string name;
-    TriangleMesh mesh;
-    Skeleton skeleton;
+    ossuary::mesh::TriangleMesh mesh;
+    ossuary::skeleton::Skeleton skeleton;
     std::vector<Vec3> surface;  ///< the vertices in voxels
 };
 
 Model load(const std::filesystem::path& folder, int number) {
     const std::filesystem::path path = folder / fmt::format("{}.off", number);
-    Result<ReadMeshResult> read = read_mesh(path);
+    Result<ossuary::mesh::ReadMeshResult> read = ossuary::mesh::read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
-    Result<Skeleton> skeleton = skeletonize(read->mesh);
+    Result<ossuary::skeleton::Skeleton> skeleton = ossuary::skeleton::skeletonize(read->mesh);
     if (!skeleton) throw std::runtime_error(skeleton.error().message);
     Model model{path.stem().string(), std::move(read->mesh), *std::move(skeleton), {}};
     for (const Vec3& vertex : model.mesh.vertices) {
@@ -46,8 +46,9 @@ Model load(const std::filesystem::path& folder, int number) {
     return model;
 }
 
-SkeletonGraph refined_by(const Model& model, const RefineOptions& options) {
-    return refine(model.skeleton.thinned, model.surface, options).refined;
+ossuary::skeleton::SkeletonGraph refined_by(const Model& model,
+                                            const ossuary::skeleton::RefineOptions& options) {
+    return ossuary::skeleton::refine(model.skeleton.thinned, model.surface, options).refined;
 }
 
 /// Panels in rows, each a model and a skeleton in the grid's x-y plane, y upwards: the grid lies
@@ -56,7 +57,8 @@ class Picture {
 public:
     explicit Picture(int columns) : columns_(columns) {}
 
-    void add(const Model& model, const SkeletonGraph& graph, const std::string& caption) {
+    void add(const Model& model, const ossuary::skeleton::SkeletonGraph& graph,
+             const std::string& caption) {
         const Vec3i size = model.skeleton.solid.volume.size();
         const int row = count_ / columns_;
         const double scale = kPanel / std::max(size.x(), size.y());
@@ -68,7 +70,7 @@ public:
         };
         body_ += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n",
                              kPanel * (count_ % columns_) + kPanel / 2, top + kPanel + 12, caption);
-        const TriangleMesh coarse = decimate(model.mesh);
+        const ossuary::mesh::TriangleMesh coarse = ossuary::mesh::decimate(model.mesh);
         for (const auto& triangle : coarse.triangles) {
             body_ += "<polygon points=\"";
             for (const std::uint32_t v : triangle) {
@@ -109,11 +111,11 @@ void figure_3_6(const Model& model, const std::filesystem::path& out) {
     Picture picture(5);
     picture.add(model, model.skeleton.thinned, "raw");
     for (const double variance : {1.0, 4.0, 16.0, 64.0}) {
-        RefineOptions options;
-        options.pruning = PruningMethod::kNone;
+        ossuary::skeleton::RefineOptions options;
+        options.pruning = ossuary::skeleton::PruningMethod::kNone;
         options.merge_junctions = false;
         options.presmooth_variance = variance;
-        options.smoothing_scale = SmoothingScale::kFixed;
+        options.smoothing_scale = ossuary::skeleton::SmoothingScale::kFixed;
         picture.add(model, refined_by(model, options), fmt::format("t = {}", variance));
     }
     picture.write(out / "figure-3.6.svg");
@@ -123,8 +125,8 @@ void figure_3_6(const Model& model, const std::filesystem::path& out) {
 void figures_4_1_and_4_2(const std::vector<Model>& models, const std::filesystem::path& out) {
     Picture side_by_side(2);
     Picture with_thesis(3);
-    RefineOptions thesis;
-    thesis.pruning = PruningMethod::kSignificance;
+    ossuary::skeleton::RefineOptions thesis;
+    thesis.pruning = ossuary::skeleton::PruningMethod::kSignificance;
     thesis.merge_junctions = false;
     for (const Model& model : models) {
         side_by_side.add(model, model.skeleton.thinned, model.name + ", raw");
@@ -142,7 +144,7 @@ void figures_4_1_and_4_2(const std::vector<Model>& models, const std::filesystem
 void figure_4_3(const std::vector<Model>& models, const std::filesystem::path& out) {
     Picture picture(2);
     for (const Model& model : models) {
-        const auto caption = [&](const char* stage, const SkeletonGraph& graph) {
+        const auto caption = [&](const char* stage, const ossuary::skeleton::SkeletonGraph& graph) {
             return fmt::format("{}, {}: {} branches", model.name, stage, graph.branches.size());
         };
         picture.add(model, model.skeleton.thinned, caption("raw", model.skeleton.thinned));

@@ -31,14 +31,15 @@ constexpr const char* kUsage =
     "against border voxels times layers\n"
     "       ossuary_skeleton_report properties MODEL.off…        the properties of sec. 4.1.1\n";
 
-TriangleMesh mesh_of(const std::string& path) {
-    Result<ReadMeshResult> read = read_mesh(path);
+ossuary::mesh::TriangleMesh mesh_of(const std::string& path) {
+    Result<ossuary::mesh::ReadMeshResult> read = ossuary::mesh::read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
     return std::move(read->mesh);
 }
 
-Skeleton skeleton_of(const TriangleMesh& mesh, const SkeletonizeOptions& options = {}) {
-    Result<Skeleton> skeleton = skeletonize(mesh, options);
+ossuary::skeleton::Skeleton skeleton_of(const ossuary::mesh::TriangleMesh& mesh,
+                                        const ossuary::skeleton::SkeletonizeOptions& options = {}) {
+    Result<ossuary::skeleton::Skeleton> skeleton = ossuary::skeleton::skeletonize(mesh, options);
     if (!skeleton) throw std::runtime_error(skeleton.error().message);
     return *std::move(skeleton);
 }
@@ -58,16 +59,16 @@ double peak_memory_mb() {
 }
 
 void report_time(const std::vector<std::string>& models, int resolution) {
-    SkeletonizeOptions options;
+    ossuary::skeleton::SkeletonizeOptions options;
     options.voxelize.resolution = resolution;
     double total = 0.0;
     std::vector<double> of_stage;
     std::vector<std::string> names;
     std::vector<double> each;
     for (const std::string& path : models) {
-        const TriangleMesh mesh = mesh_of(path);
+        const ossuary::mesh::TriangleMesh mesh = mesh_of(path);
         const double begin = processor_ms();
-        const Skeleton skeleton = skeleton_of(mesh, options);
+        const ossuary::skeleton::Skeleton skeleton = skeleton_of(mesh, options);
         each.push_back(processor_ms() - begin);
         total += each.back();
         of_stage.resize(skeleton.stage_times.size(), 0.0);
@@ -105,26 +106,29 @@ void report_growth(const std::vector<std::string>& models) {
     constexpr int kRuns = 3;
     std::vector<double> ratios;
     for (const std::string& path : models) {
-        const TriangleMesh mesh = mesh_of(path);
+        const ossuary::mesh::TriangleMesh mesh = mesh_of(path);
         std::vector<double> sides, times, ideals;
         for (const int resolution : {128, 192, 256, 384, 512}) {
-            VoxelizeOptions options;
+            ossuary::voxel::VoxelizeOptions options;
             options.resolution = resolution;
-            const Result<VoxelSolid> solid = voxelize(mesh, options);
+            const Result<ossuary::voxel::VoxelSolid> solid =
+                ossuary::voxel::voxelize(mesh, options);
             if (!solid) throw std::runtime_error(solid.error().message);
             std::vector<double> runs;
             std::uint32_t deepest = 0;
             for (int run = 0; run <= kRuns; ++run) {
                 const double begin = processor_ms();
-                const DistanceField distance = distance_transform(solid->volume);
-                const BitVolume skeleton = thin(solid->volume, distance);
+                const ossuary::voxel::DistanceField distance =
+                    ossuary::voxel::distance_transform(solid->volume);
+                const ossuary::voxel::BitVolume skeleton =
+                    ossuary::skeleton::thin(solid->volume, distance);
                 if (run > 0) runs.push_back(processor_ms() - begin);
                 for (const std::uint32_t d : distance.values()) deepest = std::max(deepest, d);
             }
             std::nth_element(runs.begin(), runs.begin() + kRuns / 2, runs.end());
             sides.push_back(resolution);
             times.push_back(runs[kRuns / 2]);
-            ideals.push_back(static_cast<double>(border(solid->volume).count()) *
+            ideals.push_back(static_cast<double>(ossuary::voxel::border(solid->volume).count()) *
                              std::sqrt(static_cast<double>(deepest)));
         }
         const double measured = exponent(sides, times);
@@ -151,13 +155,15 @@ struct Mean {
     [[nodiscard]] double value() const { return sum / static_cast<double>(count); }
 };
 
-std::vector<Vec3> world_points(const SkeletonGraph& graph, const WorldFromGrid& frame) {
+std::vector<Vec3> world_points(const ossuary::skeleton::SkeletonGraph& graph,
+                               const WorldFromGrid& frame) {
     std::vector<Vec3> points;
-    for (const auto& branch : to_world(graph, frame).branches) {
+    for (const auto& branch : ossuary::skeleton::to_world(graph, frame).branches) {
         points.insert(points.end(), branch.points.begin(), branch.points.end());
     }
     if (points.empty()) {
-        for (const auto& node : to_world(graph, frame).nodes) points.push_back(node.position);
+        for (const auto& node : ossuary::skeleton::to_world(graph, frame).nodes)
+            points.push_back(node.position);
     }
     return points;
 }
@@ -175,7 +181,7 @@ double mean_distance(const std::vector<Vec3>& from, const std::vector<Vec3>& to)
 
 /// The mean angle between successive segments of a branch's polyline, in degrees, by length: the
 /// turning a voxel of length.
-double turning_per_voxel(const SkeletonGraph& graph) {
+double turning_per_voxel(const ossuary::skeleton::SkeletonGraph& graph) {
     double turning = 0.0, length = 0.0;
     for (const auto& branch : graph.branches) {
         length += branch.length();
@@ -194,28 +200,31 @@ struct Thinness {
     std::size_t removable = 0;  ///< simple voxels that are no ends
 };
 
-Thinness thinness_of(const BitVolume& skeleton) {
+Thinness thinness_of(const ossuary::voxel::BitVolume& skeleton) {
     Thinness result;
-    const ThinningGrid grid(skeleton);
-    const auto& is_simple = SimplePointTest::shared();
-    grid.for_each([&](VoxelIndex v) {
+    const ossuary::skeleton::ThinningGrid grid(skeleton);
+    const auto& is_simple = ossuary::skeleton::SimplePointTest::shared();
+    grid.for_each([&](ossuary::skeleton::VoxelIndex v) {
         ++result.voxels;
-        const Neighborhood around = grid.neighborhood(v);
-        constexpr Neighborhood kBlock = Neighborhood{0b11011} << 13 | Neighborhood{0b11011} << 22;
+        const ossuary::skeleton::Neighborhood around = grid.neighborhood(v);
+        constexpr ossuary::skeleton::Neighborhood kBlock =
+            ossuary::skeleton::Neighborhood{0b11011} << 13 |
+            ossuary::skeleton::Neighborhood{0b11011} << 22;
         if ((around & kBlock) == kBlock) ++result.crowds;
-        if (std::popcount(around & k26Neighbors) >= 2 && is_simple(around)) ++result.removable;
+        if (std::popcount(around & ossuary::skeleton::k26Neighbors) >= 2 && is_simple(around))
+            ++result.removable;
     });
     return result;
 }
 
 /// Radius over the largest in the 26 neighbours, averaged over the skeleton's voxels: 1 in the
 /// middle.
-double centredness_of(const Skeleton& skeleton) {
+double centredness_of(const ossuary::skeleton::Skeleton& skeleton) {
     Mean mean;
-    for_each_voxel(skeleton.thinned_volume, [&](const Vec3i& v) {
+    ossuary::voxel::for_each_voxel(skeleton.thinned_volume, [&](const Vec3i& v) {
         double largest = 0.0;
         for (int bit = 0; bit < 27; ++bit) {
-            const NeighborOffset o = neighbor_offset(bit);
+            const ossuary::skeleton::NeighborOffset o = ossuary::skeleton::neighbor_offset(bit);
             const Vec3i n = v + Vec3i(o.dx, o.dy, o.dz);
             if (skeleton.solid.volume.test_or_false(n)) {
                 largest = std::max(largest, skeleton.distance.distance(n));
@@ -232,17 +241,20 @@ void report_properties(const std::vector<std::string>& models) {
     Mean centred, raw_turning, refined_turning, moved_raw, moved_refined, branches_raw,
         branches_refined, time;
     for (std::size_t i = 0; i < models.size(); ++i) {
-        TriangleMesh mesh = mesh_of(models[i]);
+        ossuary::mesh::TriangleMesh mesh = mesh_of(models[i]);
         const double begin = processor_ms();
-        const Skeleton skeleton = skeleton_of(mesh);
+        const ossuary::skeleton::Skeleton skeleton = skeleton_of(mesh);
         time.add(processor_ms() - begin);
-        const BettiNumbers before = betti_numbers(skeleton.solid.volume);
-        const BettiNumbers after = betti_numbers(skeleton.thinned_volume);
+        const ossuary::voxel::BettiNumbers before =
+            ossuary::voxel::betti_numbers(skeleton.solid.volume);
+        const ossuary::voxel::BettiNumbers after =
+            ossuary::voxel::betti_numbers(skeleton.thinned_volume);
         homotopic += before == after ? 1 : 0;
-        connected += before.components == after.components &&
-                             topology(skeleton.refined).components == before.components
-                         ? 1
-                         : 0;
+        connected +=
+            before.components == after.components &&
+                    ossuary::skeleton::topology(skeleton.refined).components == before.components
+                ? 1
+                : 0;
         const Thinness thin = thinness_of(skeleton.thinned_volume);
         thinness.voxels += thin.voxels;
         thinness.crowds += thin.crowds;
@@ -250,21 +262,23 @@ void report_properties(const std::vector<std::string>& models) {
         centred.add(centredness_of(skeleton));
         raw_turning.add(turning_per_voxel(skeleton.thinned));
         refined_turning.add(turning_per_voxel(skeleton.refined));
-        const double diagonal = measure(mesh).diagonal;
+        const double diagonal = ossuary::mesh::measure(mesh).diagonal;
         std::mt19937_64 random(i);
         std::normal_distribution<double> normal(0.0, 0.002 * diagonal);
         for (Vec3& vertex : mesh.vertices) {
             vertex += Vec3(normal(random), normal(random), normal(random));
         }
-        const Skeleton noisy = skeleton_of(mesh);
-        const auto moved = [&](const SkeletonGraph& a, const SkeletonGraph& b) {
+        const ossuary::skeleton::Skeleton noisy = skeleton_of(mesh);
+        const auto moved = [&](const ossuary::skeleton::SkeletonGraph& a,
+                               const ossuary::skeleton::SkeletonGraph& b) {
             const auto p = world_points(a, skeleton.solid.world_from_grid);
             const auto q = world_points(b, noisy.solid.world_from_grid);
             return 50 * (mean_distance(p, q) + mean_distance(q, p)) / diagonal;
         };
         moved_raw.add(moved(skeleton.thinned, noisy.thinned));
         moved_refined.add(moved(skeleton.refined, noisy.refined));
-        const auto change = [](const SkeletonGraph& a, const SkeletonGraph& b) {
+        const auto change = [](const ossuary::skeleton::SkeletonGraph& a,
+                               const ossuary::skeleton::SkeletonGraph& b) {
             const auto difference =
                 static_cast<double>(a.branches.size()) - static_cast<double>(b.branches.size());
             return std::abs(difference);

@@ -42,87 +42,92 @@ T unwrap(Result<T> result) {
 /// A way from the thinned skeleton to the one that is encoded.
 struct Variant {
     const char* name;
-    RefineOptions refine;
+    ossuary::skeleton::RefineOptions refine;
 };
 
 std::vector<Variant> variants() {
-    RefineOptions raw;
-    raw.pruning = PruningMethod::kNone;
+    ossuary::skeleton::RefineOptions raw;
+    raw.pruning = ossuary::skeleton::PruningMethod::kNone;
     raw.merge_junctions = false;
     raw.smooth = false;
-    RefineOptions thesis;
-    thesis.pruning = PruningMethod::kSignificance;
+    ossuary::skeleton::RefineOptions thesis;
+    thesis.pruning = ossuary::skeleton::PruningMethod::kSignificance;
     thesis.merge_junctions = false;
     return {{"raw thinning", raw},
             {"refined by eq. 3.3-3.4", thesis},
-            {"refined by protrusion", RefineOptions{}}};
+            {"refined by protrusion", ossuary::skeleton::RefineOptions{}}};
 }
 
 struct TenClasses {
-    std::vector<ClassifiedModel> models;
+    std::vector<ossuary::ranking::ClassifiedModel> models;
     std::vector<std::string> labels;
     fs::path folder;
 
-    [[nodiscard]] TriangleMesh mesh(std::size_t i) const {
-        return unwrap(read_mesh(folder / (models[i].id + ".off"))).mesh;
+    [[nodiscard]] ossuary::mesh::TriangleMesh mesh(std::size_t i) const {
+        return unwrap(ossuary::mesh::read_mesh(folder / (models[i].id + ".off"))).mesh;
     }
 };
 
 TenClasses ten_classes(const fs::path& collection) {
     TenClasses classes;
-    classes.models =
-        models_in_order(unwrap(read_classification(collection / "segmentation-thesis10.cla")));
-    for (const ClassifiedModel& model : classes.models) classes.labels.push_back(model.class_name);
+    classes.models = ossuary::ranking::models_in_order(
+        unwrap(ossuary::ranking::read_classification(collection / "segmentation-thesis10.cla")));
+    for (const ossuary::ranking::ClassifiedModel& model : classes.models)
+        classes.labels.push_back(model.class_name);
     classes.folder = collection / "off";
     return classes;
 }
 
 /// Of each variant the descriptors of all models; only their skeletons are filled in.
-std::vector<std::vector<ModelDescriptor>> describe_variants(const TenClasses& classes,
-                                                            ThinningMethod thinning) {
+std::vector<std::vector<ossuary::descriptor::ModelDescriptor>> describe_variants(
+    const TenClasses& classes, ossuary::skeleton::ThinningMethod thinning) {
     const std::vector<Variant> all = variants();
-    std::vector<std::vector<ModelDescriptor>> described(
-        all.size(), std::vector<ModelDescriptor>(classes.models.size()));
-    SkeletonizeOptions options;
+    std::vector<std::vector<ossuary::descriptor::ModelDescriptor>> described(
+        all.size(), std::vector<ossuary::descriptor::ModelDescriptor>(classes.models.size()));
+    ossuary::skeleton::SkeletonizeOptions options;
     options.thinning.method = thinning;
     parallel_for(classes.models.size(), kJobs, [&](std::size_t i) {
-        const TriangleMesh mesh = classes.mesh(i);
-        const Skeleton skeleton = unwrap(skeletonize(mesh, options));
+        const ossuary::mesh::TriangleMesh mesh = classes.mesh(i);
+        const ossuary::skeleton::Skeleton skeleton =
+            unwrap(ossuary::skeleton::skeletonize(mesh, options));
         std::vector<Vec3> surface;
         for (const Vec3& vertex : mesh.vertices) {
             surface.push_back(skeleton.solid.world_from_grid.grid(vertex));
         }
-        const double scale = body_scale(solid_surface(skeleton.solid.volume).total_area,
-                                        static_cast<double>(skeleton.solid.volume.count()));
+        const double scale = ossuary::descriptor::body_scale(
+            ossuary::descriptor::solid_surface(skeleton.solid.volume).total_area,
+            static_cast<double>(skeleton.solid.volume.count()));
         for (std::size_t v = 0; v < all.size(); ++v) {
-            const SkeletonGraph graph = refine(skeleton.thinned, surface, all[v].refine).refined;
-            described[v][i].skeleton = describe_skeleton(graph, scale);
+            const ossuary::skeleton::SkeletonGraph graph =
+                ossuary::skeleton::refine(skeleton.thinned, surface, all[v].refine).refined;
+            described[v][i].skeleton = ossuary::matching::describe_skeleton(graph, scale);
         }
     });
     return described;
 }
 
-std::vector<const ModelDescriptor*> pointers(const std::vector<ModelDescriptor>& models) {
-    std::vector<const ModelDescriptor*> all;
-    for (const ModelDescriptor& model : models) all.push_back(&model);
+std::vector<const ossuary::descriptor::ModelDescriptor*> pointers(
+    const std::vector<ossuary::descriptor::ModelDescriptor>& models) {
+    std::vector<const ossuary::descriptor::ModelDescriptor*> all;
+    for (const ossuary::descriptor::ModelDescriptor& model : models) all.push_back(&model);
     return all;
 }
 
-RankOptions rank_options(RankerKind ranker) {
-    RankOptions options;
+ossuary::ranking::RankOptions rank_options(ossuary::ranking::RankerKind ranker) {
+    ossuary::ranking::RankOptions options;
     options.ranker = ranker;
     options.jobs = kJobs;
     return options;
 }
 
-void print_curves(const TenClasses& classes, ThinningMethod thinning) {
+void print_curves(const TenClasses& classes, ossuary::skeleton::ThinningMethod thinning) {
     const auto described = describe_variants(classes, thinning);
-    std::vector<RetrievalReport> reports;
+    std::vector<ossuary::ranking::RetrievalReport> reports;
     for (std::size_t v = 0; v < described.size(); ++v) {
-        const DistanceMatrix distances =
-            *distance_matrix(pointers(described[v]), {}, rank_options(RankerKind::kChainCode));
-        reports.push_back(evaluate_retrieval(distances, classes.labels));
-        const RetrievalMetrics& mean = reports.back().mean;
+        const ossuary::ranking::DistanceMatrix distances = *ossuary::ranking::distance_matrix(
+            pointers(described[v]), {}, rank_options(ossuary::ranking::RankerKind::kChainCode));
+        reports.push_back(ossuary::ranking::evaluate_retrieval(distances, classes.labels));
+        const ossuary::ranking::RetrievalMetrics& mean = reports.back().mean;
         std::cout << fmt::format("{:<24} NN {:.3f} first tier {:.3f} DCG {:.3f} MAP {:.3f}\n",
                                  variants()[v].name, mean.nearest_neighbor, mean.first_tier,
                                  mean.dcg, mean.mean_average_precision);
@@ -132,19 +137,19 @@ void print_curves(const TenClasses& classes, ThinningMethod thinning) {
     std::cout << '\n';
     for (std::size_t point = 0; point < reports.front().precision_recall.size(); ++point) {
         std::cout << fmt::format("{:>6.2f}", reports.front().precision_recall[point].recall);
-        for (const RetrievalReport& report : reports) {
+        for (const ossuary::ranking::RetrievalReport& report : reports) {
             std::cout << fmt::format("  {:>22.3f}", report.precision_recall[point].precision);
         }
         std::cout << '\n';
     }
 }
 
-void print_codes(const TenClasses& classes, ThinningMethod thinning) {
+void print_codes(const TenClasses& classes, ossuary::skeleton::ThinningMethod thinning) {
     const auto described = describe_variants(classes, thinning);
     double raw = 0.0;
     for (std::size_t v = 0; v < described.size(); ++v) {
         double length = 0.0, branches = 0.0;
-        for (const ModelDescriptor& model : described[v]) {
+        for (const ossuary::descriptor::ModelDescriptor& model : described[v]) {
             branches += static_cast<double>(model.skeleton.branches.size());
             for (const auto& branch : model.skeleton.branches) {
                 length += static_cast<double>(branch.chain_code.size());
@@ -175,14 +180,17 @@ double area_under_curve(const std::vector<double>& within, std::vector<double> o
 }
 
 void print_poses(const TenClasses& classes) {
-    std::vector<ModelDescriptor> models(classes.models.size());
-    parallel_for(models.size(), kJobs,
-                 [&](std::size_t i) { models[i] = unwrap(describe(classes.mesh(i))).descriptor; });
+    std::vector<ossuary::descriptor::ModelDescriptor> models(classes.models.size());
+    parallel_for(models.size(), kJobs, [&](std::size_t i) {
+        models[i] = unwrap(ossuary::descriptor::describe(classes.mesh(i))).descriptor;
+    });
     const auto collection = pointers(models);
-    const CollectionStatistics statistics = *collection_statistics(collection, kJobs);
-    for (const RankerKind ranker : {RankerKind::kChainCode, RankerKind::kSkeleton}) {
-        const DistanceMatrix distances =
-            *distance_matrix(collection, statistics, rank_options(ranker));
+    const ossuary::ranking::CollectionStatistics statistics =
+        *ossuary::ranking::collection_statistics(collection, kJobs);
+    for (const ossuary::ranking::RankerKind ranker :
+         {ossuary::ranking::RankerKind::kChainCode, ossuary::ranking::RankerKind::kSkeleton}) {
+        const ossuary::ranking::DistanceMatrix distances =
+            *ossuary::ranking::distance_matrix(collection, statistics, rank_options(ranker));
         std::vector<double> within, other;
         for (std::size_t i = 0; i < models.size(); ++i) {
             if (classes.labels[i] != "armadillo") continue;
@@ -214,7 +222,8 @@ int usage() {
 int main(int argc, char** argv) {
     const auto data = test::benchmark_data();
     const std::string figure = argc > 1 ? argv[1] : "";
-    const Result<ThinningMethod> thinning = parse_thinning_method(argc > 2 ? argv[2] : "parallel");
+    const Result<ossuary::skeleton::ThinningMethod> thinning =
+        ossuary::skeleton::parse_thinning_method(argc > 2 ? argv[2] : "parallel");
     if (!data || argc > 3 || !thinning) return usage();
     try {
         const TenClasses classes = ten_classes(*data / "princeton-segmentation");

@@ -8,10 +8,10 @@
 namespace ossuary::benchmarks {
 namespace {
 
-VoxelSolid solid_of(const Workload& workload, std::int64_t resolution) {
-    VoxelizeOptions options;
+voxel::VoxelSolid solid_of(const Workload& workload, std::int64_t resolution) {
+    voxel::VoxelizeOptions options;
     options.resolution = static_cast<int>(resolution);
-    return *voxelize(workload.mesh, options);
+    return *voxel::voxelize(workload.mesh, options);
 }
 
 }  // namespace
@@ -31,20 +31,20 @@ void register_voxel_benchmarks() {
         benchmark::RegisterBenchmark(
             name("distance_transform").c_str(),
             [&](benchmark::State& state) {
-                const VoxelSolid solid = solid_of(workload, state.range(0));
-                for (auto _ : state) benchmark::DoNotOptimize(distance_transform(solid.volume));
+                const voxel::VoxelSolid solid = solid_of(workload, state.range(0));
+                for (auto _ : state)
+                    benchmark::DoNotOptimize(voxel::distance_transform(solid.volume));
             })
             ->Arg(96)
             ->Arg(128)
             ->Arg(256)
             ->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(name("betti_numbers").c_str(),
-                                     [&](benchmark::State& state) {
-                                         const VoxelSolid solid =
-                                             solid_of(workload, state.range(0));
-                                         for (auto _ : state)
-                                             benchmark::DoNotOptimize(betti_numbers(solid.volume));
-                                     })
+        benchmark::RegisterBenchmark(
+            name("betti_numbers").c_str(),
+            [&](benchmark::State& state) {
+                const voxel::VoxelSolid solid = solid_of(workload, state.range(0));
+                for (auto _ : state) benchmark::DoNotOptimize(voxel::betti_numbers(solid.volume));
+            })
             ->Arg(96)
             ->Unit(benchmark::kMillisecond);
     }

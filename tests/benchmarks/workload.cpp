@@ -18,8 +18,8 @@ namespace {
 
 std::vector<Workload> make_workloads() {
     std::vector<Workload> all;
-    const auto add_built = [&](const char* name, TriangleMesh mesh) {
-        std::string off = to_off(mesh);
+    const auto add_built = [&](const char* name, mesh::TriangleMesh mesh) {
+        std::string off = mesh::to_off(mesh);
         all.push_back({name, std::move(mesh), std::move(off)});
     };
     add_built("torus", test::torus_mesh(2.0, 0.6));
@@ -36,7 +36,7 @@ std::vector<Workload> make_workloads() {
         const auto path = *data / "princeton-segmentation" / "off" / fmt::format("{}.off", number);
         std::ifstream file(path, std::ios::binary);
         std::string off((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-        auto read = read_mesh(off, path.string());
+        auto read = mesh::read_mesh(off, path.string());
         if (!read.ok()) {
             std::fprintf(stderr, "%s\n", read.error().message.c_str());
             std::exit(1);

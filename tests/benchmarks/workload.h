@@ -10,7 +10,7 @@ namespace ossuary::benchmarks {
 /// A model that the stages are timed on.
 struct Workload {
     std::string name;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     std::string off;  ///< the same as the bytes of an .off file
 };
 

@@ -146,17 +146,18 @@ std::string sealed_as(const BlobKind& kind, std::uint8_t version, std::string_vi
 }
 
 /// A descriptor's blob as versions 1 and 2 had it.
-std::string earlier_descriptor(const SkeletonDescriptor& descriptor, std::uint8_t version) {
+std::string earlier_descriptor(const matching::SkeletonDescriptor& descriptor,
+                               std::uint8_t version) {
     ByteWriter writer;
     if (version == 2) writer.put(descriptor.solid_volume);
     writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
-    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+    for (const matching::SkeletonDescriptor::Node& node : descriptor.nodes) {
         for (const float coordinate : node.position) writer.put(coordinate);
         writer.put(node.radius);
         writer.put(node.significance);
     }
     writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
-    for (const SkeletonDescriptor::Branch& branch : descriptor.branches) {
+    for (const matching::SkeletonDescriptor::Branch& branch : descriptor.branches) {
         writer.put(branch.a);
         writer.put(branch.b);
         writer.put(branch.length);
@@ -169,7 +170,7 @@ std::string earlier_descriptor(const SkeletonDescriptor& descriptor, std::uint8_
 }
 
 TEST(EarlierVersions, OfDescriptorsAreReadInFull) {
-    SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
+    matching::SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
     ASSERT_GT(descriptor.limb_volume, 0.0F);
     descriptor.limb_volume = 0.0F;  // earlier versions have none
     const auto second = decode_descriptor(earlier_descriptor(descriptor, 2));
@@ -183,12 +184,12 @@ TEST(EarlierVersions, OfDescriptorsAreReadInFull) {
 }
 
 /// A branch between two nodes with `samples` samples, rounded or not.
-SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool rounded) {
-    SkeletonDescriptor descriptor;
+matching::SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool rounded) {
+    matching::SkeletonDescriptor descriptor;
     descriptor.nodes.resize(2);
     descriptor.nodes[0] = {{0.25F, -0.0F, 1.0F}, 0.5F, 0.5F};
     descriptor.nodes[1] = {{1.25F, 2.0F, -1.0F}, 0.125F, 0.5F};
-    SkeletonDescriptor::Branch branch;
+    matching::SkeletonDescriptor::Branch branch;
     branch.a = 0;
     branch.b = 1;
     branch.length = 3.0F;
@@ -196,11 +197,11 @@ SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool roun
         branch.chain_code += static_cast<char>('0' + i * i % 5);
     }
     for (std::size_t i = 0; i < samples; ++i) {
-        const float unit = rounded ? kPointUnit : 0.1F * kPointUnit;
+        const float unit = rounded ? matching::kPointUnit : 0.1F * matching::kPointUnit;
         for (const float multiple : {-32768.0F, 32767.0F, static_cast<float>(i) - 7.0F}) {
             branch.points.push_back(unit * multiple);
         }
-        branch.radii.push_back(kRadiusUnit * static_cast<float>(65535 - i));
+        branch.radii.push_back(matching::kRadiusUnit * static_cast<float>(65535 - i));
     }
     descriptor.branches.push_back(branch);
     return descriptor;
@@ -210,7 +211,8 @@ TEST(Codec, PacksRoundedSamplesAndGivesThemBackBitByBit) {
     for (const std::size_t digits : {0U, 1U, 2U, 3U, 4U, 200U, 70'000U}) {
         for (const std::size_t samples : {2U, 3U, 40U}) {
             for (const bool rounded : {true, false}) {
-                const SkeletonDescriptor descriptor = one_branch(samples, digits, rounded);
+                const matching::SkeletonDescriptor descriptor =
+                    one_branch(samples, digits, rounded);
                 const std::string blob = encode_descriptor(descriptor);
                 const auto read = decode_descriptor(blob);
                 ASSERT_TRUE(read) << read.error().message;
@@ -222,17 +224,17 @@ TEST(Codec, PacksRoundedSamplesAndGivesThemBackBitByBit) {
 }
 
 TEST(Codec, LeavesSamplesThatAreNotRoundedAsTheyAre) {
-    const auto comes_back = [](const SkeletonDescriptor& descriptor) {
+    const auto comes_back = [](const matching::SkeletonDescriptor& descriptor) {
         const auto read = decode_descriptor(encode_descriptor(descriptor));
         return read && earlier_descriptor(*read, 2) == earlier_descriptor(descriptor, 2);
     };
-    for (const float odd : {-0.0F, 8.0F, -8.1F, 1e30F, 0.5F * kPointUnit}) {
-        SkeletonDescriptor descriptor = one_branch(3, 5, true);
+    for (const float odd : {-0.0F, 8.0F, -8.1F, 1e30F, 0.5F * matching::kPointUnit}) {
+        matching::SkeletonDescriptor descriptor = one_branch(3, 5, true);
         descriptor.branches[0].points[4] = odd;
         EXPECT_TRUE(comes_back(descriptor)) << odd;
     }
-    for (const float odd : {-kRadiusUnit, 1.0F, 0.5F * kRadiusUnit}) {
-        SkeletonDescriptor descriptor = one_branch(3, 5, true);
+    for (const float odd : {-matching::kRadiusUnit, 1.0F, 0.5F * matching::kRadiusUnit}) {
+        matching::SkeletonDescriptor descriptor = one_branch(3, 5, true);
         descriptor.branches[0].radii[1] = odd;
         EXPECT_TRUE(comes_back(descriptor)) << odd;
     }
@@ -254,7 +256,8 @@ TEST(Codec, GivesBackSegmentsOfAnyNumberOfParts) {
     for (const std::uint32_t count : {1U, 2U, 255U, 256U, 257U, 1000U}) {
         ModelSegments segments;
         for (std::uint32_t p = 0; p < count; ++p) {
-            Decomposition::Part part{p % 3 + 1, 0.1 * p, static_cast<std::int32_t>(p) - 1, {}};
+            decomposition::Decomposition::Part part{
+                p % 3 + 1, 0.1 * p, static_cast<std::int32_t>(p) - 1, {}};
             if (p > 0) part.neighbors.push_back(p - 1);
             if (p + 1 < count) part.neighbors.push_back(p + 1);
             segments.parts.push_back(part);
@@ -359,7 +362,7 @@ TEST(Codec, KeepsPreviewsWithManyVertices) {
 }
 
 TEST(Codec, KeepsWarnings) {
-    const std::vector<MeshWarning> warnings = {{"a", 3, "x \"y\" \n"}, {"b", 0, ""}};
+    const std::vector<mesh::MeshWarning> warnings = {{"a", 3, "x \"y\" \n"}, {"b", 0, ""}};
     const auto decoded = decode_warnings(encode_warnings(warnings));
     ASSERT_TRUE(decoded);
     ASSERT_EQ(decoded->size(), 2U);

@@ -116,7 +116,7 @@ protected:
         }
         ASSERT_TRUE(store->put_statistics({{1.0}}, *store->revision()));
         ASSERT_TRUE(store->put_evaluation(
-            {*store->revision(), RankerKind::kHybrid, false, 0.15, std::string(32, '0')},
+            {*store->revision(), ranking::RankerKind::kHybrid, false, 0.15, std::string(32, '0')},
             test::sample_report(1)));
     }
 

@@ -17,13 +17,13 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
 }
 
 TEST(Gltf, HoldsPartsJointsAndWeights) {
-    const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
     std::vector<std::uint32_t> labels(mesh.triangles.size(), 0);
     labels[3] = labels[5] = 1;
-    Rig rig;
+    decomposition::Rig rig;
     rig.joints = {{Vec3(0.5, 0.5, 0.5), -1, -1}, {Vec3(0.5, 0.5, 1.0), 0, 0}};
     rig.weights.assign(mesh.vertices.size(), {{1, 0, 0, 0}, {0.75F, 0.25F, 0.0F, 0.0F}});
-    const std::string glb = to_glb(mesh, dense_segmentation(labels), rig, "box");
+    const std::string glb = to_glb(mesh, decomposition::dense_segmentation(labels), rig, "box");
 
     ASSERT_EQ(glb.substr(0, 4), "glTF");
     EXPECT_EQ(word_at(glb, 8), glb.size());

@@ -241,7 +241,8 @@ TEST_F(IndexerTest, NamesClassesFromAClassification) {
     fs::rename(models_ / "01_tree.off", models_ / "m8.off");
     Store store = open();
     IndexOptions classed = options();
-    classed.classes = *parse_classification("PSB 1\n2 3\nbox 0 1\n7\ntree 0 2\n8\n9\n", "x.cla");
+    classed.classes =
+        *ranking::parse_classification("PSB 1\n2 3\nbox 0 1\n7\ntree 0 2\n8\n9\n", "x.cla");
     run(store, classed);
     EXPECT_EQ(store.models_named("7")->front().class_name, "box");
     EXPECT_EQ(store.models_named("m8")->front().class_name, "tree");
@@ -249,7 +250,7 @@ TEST_F(IndexerTest, NamesClassesFromAClassification) {
 
     EXPECT_EQ(run(store).classified, 0U);
     EXPECT_EQ(store.models_named("7")->front().class_name, "box") << "kept without --classes";
-    classed.classes = *parse_classification("PSB 1\n1 1\ncube 0 1\n7\n", "x.cla");
+    classed.classes = *ranking::parse_classification("PSB 1\n1 1\ncube 0 1\n7\n", "x.cla");
     const IndexOutcome renamed = run(store, classed);
     EXPECT_EQ(renamed.classified, 1U);
     EXPECT_EQ(renamed.indexed, 0U);

@@ -71,7 +71,7 @@ TEST_F(ModelFiles, HavePathsOfOneForm) {
 
 TEST_F(ModelFiles, GetTheirClassesByTheFirstNameThatIsThere) {
     const auto classification =
-        parse_classification("PSB 1\n2 3\n\nant 0 2\n2\n10\n\nbee 0 1\n77\n", "x.cla");
+        ranking::parse_classification("PSB 1\n2 3\n\nant 0 2\n2\n10\n\nbee 0 1\n77\n", "x.cla");
     ASSERT_TRUE(classification);
     const auto classes =
         classes_by_file_name(*classification, {"/m/2.off", "/m/m2.off", "/m/m10.off"});

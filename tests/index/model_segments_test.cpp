@@ -25,7 +25,7 @@ NewModel described(const fs::path& path) {
 
 /// The share of the preview's area that each part has.
 std::vector<double> shares_on_preview(const NewModel& model) {
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     const auto& positions = model.preview.positions;
     for (std::size_t i = 0; i < positions.size(); i += 3) {
         mesh.vertices.push_back(
@@ -37,7 +37,7 @@ std::vector<double> shares_on_preview(const NewModel& model) {
         mesh.triangles.push_back({model.preview.triangles[3 * t],
                                   model.preview.triangles[3 * t + 1],
                                   model.preview.triangles[3 * t + 2]});
-        const double area = triangle_area(mesh, t);
+        const double area = mesh::triangle_area(mesh, t);
         shares[model.segments->labels[t]] += area;
         total += area;
     }
@@ -51,15 +51,15 @@ TEST(ModelSegments, AreThoseOfTheFile) {
     for (const char* name : {"325.off", "341.off", "281.off", "81.off", "101.off"}) {
         SCOPED_TRACE(name);
         const fs::path path = data / "princeton-segmentation" / "off" / name;
-        const auto mesh = read_mesh(path);
+        const auto mesh = mesh::read_mesh(path);
         ASSERT_TRUE(mesh) << mesh.error().message;
-        const auto whole = decompose(mesh->mesh);
+        const auto whole = decomposition::decompose(mesh->mesh);
         ASSERT_TRUE(whole) << whole.error().message;
         const NewModel model = described(path);
         ASSERT_TRUE(model.segments);
         const auto& parts = model.segments->parts;
         ASSERT_EQ(parts.size(), whole->parts.size());
-        const double area = measure(mesh->mesh).surface_area;
+        const double area = mesh::measure(mesh->mesh).surface_area;
         const auto on_preview = shares_on_preview(model);
         std::size_t triangles = 0;
         for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -74,7 +74,7 @@ TEST(ModelSegments, AreThoseOfTheFile) {
 }
 
 TEST(ModelSegments, NameBranchesOfTheStoredSkeleton) {
-    const auto model = describe_model(to_off(test::capsule_tree_mesh()), "tree", {});
+    const auto model = describe_model(mesh::to_off(test::capsule_tree_mesh()), "tree", {});
     ASSERT_TRUE(model && model->segments);
     std::size_t named = 0;
     for (const auto& part : model->segments->parts) {
@@ -85,8 +85,8 @@ TEST(ModelSegments, NameBranchesOfTheStoredSkeleton) {
 }
 
 TEST(ModelSegments, AModelWhoseTimeIsOverIsKeptWithoutThem) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
-    const TriangleMesh coarse = decimate(mesh);
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh coarse = mesh::decimate(mesh);
     NewModel model = test::sample_model(1, "/m/a.off");
     model.preview = make_preview(coarse);
     model.segments.reset();

@@ -20,21 +20,22 @@ std::uint32_t big_endian_at(const std::vector<std::uint8_t>& bytes, std::size_t 
     return word;
 }
 
-Segmentation labelled(const TriangleMesh& mesh, std::uint32_t of_the_first) {
+decomposition::Segmentation labelled(const mesh::TriangleMesh& mesh, std::uint32_t of_the_first) {
     std::vector<std::uint32_t> labels(mesh.triangles.size(), 1 - of_the_first);
     for (std::size_t t = 0; t < labels.size() / 2; ++t) labels[t] = of_the_first;
     return {labels, 2};
 }
 
 TEST(PartsSheet, GivesPartsTheColoursOfThoseThatTheyShareMostWith) {
-    const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
     EXPECT_THAT(matching_colours(mesh, labelled(mesh, 0), labelled(mesh, 1)), ElementsAre(1, 0));
-    const Segmentation whole{std::vector<std::uint32_t>(mesh.triangles.size(), 0), 1};
+    const decomposition::Segmentation whole{std::vector<std::uint32_t>(mesh.triangles.size(), 0),
+                                            1};
     EXPECT_THAT(matching_colours(mesh, whole, labelled(mesh, 0)), ElementsAre(0, 1));
 }
 
 TEST(PartsSheet, HasARowForEachModelAndAColumnForEachSegmentation) {
-    const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
     const SheetRow row{mesh, {labelled(mesh, 0), labelled(mesh, 1), labelled(mesh, 0)}};
     for (const std::size_t count : {1U, 8U, 9U}) {
         const auto png = parts_sheet(std::vector<SheetRow>(count, row), kCell);
@@ -49,7 +50,7 @@ TEST(PartsSheet, HasARowForEachModelAndAColumnForEachSegmentation) {
 }
 
 TEST(PartsSheet, PicturesShowEachTriangleInItsColour) {
-    const TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
     ThumbnailOptions options{.size = kCell};
     options.triangle_colors.assign(mesh.triangles.size(), {200, 0, 0});
     const auto red = render_pixels(mesh, options);

@@ -14,7 +14,7 @@
 namespace ossuary::index {
 namespace {
 
-Evaluation sample_evaluation(RankerKind ranker, std::uint64_t seed) {
+Evaluation sample_evaluation(ranking::RankerKind ranker, std::uint64_t seed) {
     Evaluation evaluation;
     evaluation.ranker = ranker;
     evaluation.rerank = seed == 2;
@@ -24,7 +24,8 @@ Evaluation sample_evaluation(RankerKind ranker, std::uint64_t seed) {
 }
 
 std::vector<Evaluation> two() {
-    return {sample_evaluation(RankerKind::kHybrid, 1), sample_evaluation(RankerKind::kSkeleton, 2)};
+    return {sample_evaluation(ranking::RankerKind::kHybrid, 1),
+            sample_evaluation(ranking::RankerKind::kSkeleton, 2)};
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -70,7 +71,7 @@ TEST(Report, PlotsOneCurveForEachEvaluation) {
 }
 
 TEST(Report, PlotsWithinItsFrame) {
-    Evaluation evaluation = sample_evaluation(RankerKind::kHybrid, 1);
+    Evaluation evaluation = sample_evaluation(ranking::RankerKind::kHybrid, 1);
     evaluation.report.precision_recall = {{0.0, 0.0}, {1.0, 1.0}};
     const std::string svg = precision_recall_svg({&evaluation, 1});
     EXPECT_NE(svg.find("points=\"64.0,424.0 696.0,24.0\""), std::string::npos);
@@ -98,7 +99,7 @@ TEST(Report, ListsMetricsOverallAndByClass) {
 TEST(Report, ComparesRankersOfTheSameQueries) {
     std::vector<Evaluation> evaluations = two();
     evaluations[1].report.per_query = evaluations[0].report.per_query;
-    for (QueryMetrics& query : evaluations[1].report.per_query) query.metrics.dcg += 0.25;
+    for (ranking::QueryMetrics& query : evaluations[1].report.per_query) query.metrics.dcg += 0.25;
     const std::string csv = comparisons_csv(evaluations);
     EXPECT_EQ(count(csv, "\n"), 1U + 6U);
     const std::size_t at = csv.find(",dcg,");
@@ -138,7 +139,7 @@ TEST(Report, WritesItsFiles) {
 
 TEST(Report, WritesDistancesAsLittleEndianFloats) {
     const test::TemporaryFolder folder;
-    DistanceMatrix matrix{2, {0.0F, 1.0F, -2.5F, 0.0F}};
+    ranking::DistanceMatrix matrix{2, {0.0F, 1.0F, -2.5F, 0.0F}};
     ASSERT_TRUE(write_matrix(folder.path() / "m.bin", matrix));
     const std::string bytes = test::read_file(folder.path() / "m.bin");
     EXPECT_EQ(bytes, std::string("\0\0\0\0\0\0\x80\x3F\0\0\x20\xC0\0\0\0\0", 16));

@@ -67,7 +67,7 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
 
     const std::uint32_t nodes = 2 + numbers.below(6);
     for (std::uint32_t i = 0; i < nodes; ++i) {
-        SkeletonGraph::Node node;
+        skeleton::SkeletonGraph::Node node;
         node.position = Vec3(numbers.real(), numbers.real(), -numbers.real());
         node.radius = numbers.real();
         node.significance = numbers.real();
@@ -78,10 +78,10 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
              numbers.small() * 0.1F + 0.2F});
     }
     for (std::uint32_t b = 1; b < nodes; ++b) {
-        SkeletonGraph::Branch branch;
+        skeleton::SkeletonGraph::Branch branch;
         branch.a = numbers.below(b);
         branch.b = b;
-        SkeletonDescriptor::Branch coded{branch.a, b, "", {}, {}, 0.0F};
+        matching::SkeletonDescriptor::Branch coded{branch.a, b, "", {}, {}, 0.0F};
         const std::uint32_t points = 2 + numbers.below(5);
         for (std::uint32_t i = 0; i < points; ++i) {
             branch.points.emplace_back(numbers.real(), numbers.real(), numbers.real());
@@ -96,10 +96,10 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
     }
     model.descriptor.skeleton.solid_volume = 0.03F;
     model.descriptor.skeleton.limb_volume = 0.02F;
-    update_degrees(model.skeleton);
-    derive_matching_data(model.descriptor.skeleton);
+    skeleton::update_degrees(model.skeleton);
+    matching::derive_matching_data(model.descriptor.skeleton);
     for (const auto& [name, size] : {std::pair<const char*, int>{"d2", 8}, {"heat", 5}}) {
-        GlobalDescriptor global{name, {}};
+        descriptor::GlobalDescriptor global{name, {}};
         for (int i = 0; i < size; ++i) {
             global.values.push_back(static_cast<std::uint8_t>(numbers.below(256)));
         }
@@ -116,13 +116,13 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
     return model;
 }
 
-RetrievalReport sample_report(std::uint64_t seed) {
+ranking::RetrievalReport sample_report(std::uint64_t seed) {
     Numbers numbers(seed);
     const auto metrics = [&] {
-        return RetrievalMetrics{numbers.real(), numbers.real(), numbers.real(),
-                                numbers.real(), numbers.real(), numbers.real()};
+        return ranking::RetrievalMetrics{numbers.real(), numbers.real(), numbers.real(),
+                                         numbers.real(), numbers.real(), numbers.real()};
     };
-    RetrievalReport report;
+    ranking::RetrievalReport report;
     report.models = 7;
     report.classes = 2;
     report.mean = metrics();
@@ -137,7 +137,7 @@ RetrievalReport sample_report(std::uint64_t seed) {
 void write_sample_meshes(const fs::path& folder, int count) {
     fs::create_directories(folder);
     for (int i = 0; i < count; ++i) {
-        TriangleMesh mesh;
+        mesh::TriangleMesh mesh;
         std::string kind;
         switch (i % 3) {
             case 0:
@@ -156,7 +156,7 @@ void write_sample_meshes(const fs::path& folder, int count) {
         const Vec3 stretch(1.0, 1.0 + 0.04 * i, 1.0 - 0.02 * i);
         mesh = transformed(mesh, stretch.asDiagonal());
         const std::string number = (i < 10 ? "0" : "") + std::to_string(i);
-        const auto written = write_off(mesh, folder / (number + "_" + kind + ".off"));
+        const auto written = mesh::write_off(mesh, folder / (number + "_" + kind + ".off"));
         EXPECT_TRUE(written);
     }
 }
@@ -248,7 +248,7 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
         insert("INSERT INTO segments VALUES (1, ?)", {index::encode_segments(*model.segments)});
     }
     for (std::size_t i = 0; i < branches; ++i) {
-        const SkeletonGraph::Branch& branch = model.skeleton.branches[i];
+        const skeleton::SkeletonGraph::Branch& branch = model.skeleton.branches[i];
         SQLite::Statement statement(database, "INSERT INTO branches VALUES (1, ?, ?, ?, ?, ?)");
         statement.bind(1, static_cast<std::int64_t>(i));
         statement.bind(2, branch.a);

@@ -23,7 +23,7 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// `path` may be empty.
 index::NewModel sample_model(std::uint64_t seed, const std::string& path);
 
-RetrievalReport sample_report(std::uint64_t seed);
+ranking::RetrievalReport sample_report(std::uint64_t seed);
 
 /// Writes small meshes of different shapes as OFF files into `folder`: NN_kind.off, `count` of
 /// them.

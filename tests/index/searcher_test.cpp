@@ -43,8 +43,8 @@ protected:
         EXPECT_TRUE(searcher) << searcher.error().message;
         return *std::move(searcher);
     }
-    static TriangleMesh mesh(const std::string& name) {
-        auto read = read_mesh(models() / name);
+    static mesh::TriangleMesh mesh(const std::string& name) {
+        auto read = mesh::read_mesh(models() / name);
         EXPECT_TRUE(read);
         return std::move(read->mesh);
     }
@@ -57,7 +57,7 @@ std::unique_ptr<test::TemporaryFolder> SearcherTest::folder_;
 
 TEST_F(SearcherTest, FindsTheModelItselfFirstByEveryRanker) {
     Searcher searcher = open();
-    for (const RankerKind ranker : kAllRankers) {
+    for (const ranking::RankerKind ranker : ranking::kAllRankers) {
         SearchOptions options;
         options.rank.ranker = ranker;
         const auto result = searcher.search(mesh("04_tree.off"), options);
@@ -84,7 +84,7 @@ TEST_F(SearcherTest, ExplainsItsHitsWithIndicesThatExist) {
     Searcher searcher = open();
     const auto result = searcher.search(mesh("01_tree.off"));
     ASSERT_TRUE(result);
-    const SkeletonGraph& query = result->query_skeleton.graph;
+    const skeleton::SkeletonGraph& query = result->query_skeleton.graph;
     EXPECT_EQ(result->query_skeleton.chain_codes.size(), query.branches.size());
     for (const Hit& hit : result->hits) {
         EXPECT_FALSE(hit.parts.empty());
@@ -227,7 +227,7 @@ TEST_F(SearcherTest, FollowsTheIndex) {
 TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
     Searcher searcher = open();
     const auto result = searcher.search(mesh("01_tree.off"));
-    const nlohmann::json json = to_json(*result, {"x", 10, 20}, RankOptions{});
+    const nlohmann::json json = to_json(*result, {"x", 10, 20}, ranking::RankOptions{});
     EXPECT_EQ(json["ranker"], "hybrid");
     EXPECT_EQ(json["models"], 9);
     EXPECT_EQ(json["query"]["name"], "x");
@@ -246,11 +246,11 @@ TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
     EXPECT_EQ(branch["points"][0].size(), 3U);
     EXPECT_TRUE(branch["chain_code"].is_string());
 
-    const nlohmann::json compared = to_json(*searcher.compare(1, 2), RankOptions{});
+    const nlohmann::json compared = to_json(*searcher.compare(1, 2), ranking::RankOptions{});
     EXPECT_EQ(compared["a"]["id"], 1);
     EXPECT_TRUE(compared["skeletons"]["b"]["nodes"].is_array());
     const auto meshes = compare_meshes(mesh("01_tree.off"), mesh("02_torus.off"), test::kCoarse);
-    EXPECT_TRUE(to_json(*meshes, RankOptions{})["a"].contains("name"));
+    EXPECT_TRUE(to_json(*meshes, ranking::RankOptions{})["a"].contains("name"));
 }
 
 TEST_F(SearcherTest, EvaluatesTheClassesOfTheIndex) {
@@ -283,9 +283,9 @@ TEST_F(SearcherTest, EvaluatesJustTheModelsOfAClassificationInItsOrder) {
     ASSERT_TRUE(store->apply(moves));
     const auto snapshot = *Snapshot::load(*store);
     EvaluateOptions options;
-    options.rank.ranker = RankerKind::kSkeleton;
-    options.classification =
-        *parse_classification("PSB 1\n2 6\nring 0 3\n6\n3\n99\nbox 0 3\n7\n1\n4\n", "x.cla");
+    options.rank.ranker = ranking::RankerKind::kSkeleton;
+    options.classification = *ranking::parse_classification(
+        "PSB 1\n2 6\nring 0 3\n6\n3\n99\nbox 0 3\n7\n1\n4\n", "x.cla");
     const auto evaluation = evaluate(*snapshot, options);
     ASSERT_TRUE(evaluation) << evaluation.error().message;
     EXPECT_EQ(evaluation->order, (std::vector<ModelId>{6, 3, 7, 1, 4}));
@@ -293,15 +293,17 @@ TEST_F(SearcherTest, EvaluatesJustTheModelsOfAClassificationInItsOrder) {
     EXPECT_EQ(evaluation->missing, (std::vector<std::string>{"99"}));
     EXPECT_EQ(evaluation->report.models, 5U);
 
-    options.classification = *parse_classification("PSB 1\n1 2\nx 0 2\n500\n501\n", "x.cla");
+    options.classification =
+        *ranking::parse_classification("PSB 1\n1 2\nx 0 2\n500\n501\n", "x.cla");
     EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kClaUnknownModel);
-    options.classification = *parse_classification("PSB 1\n2 2\nx 0 1\n1\ny 0 1\n2\n", "x.cla");
+    options.classification =
+        *ranking::parse_classification("PSB 1\n2 2\nx 0 1\n1\ny 0 1\n2\n", "x.cla");
     EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kInvalidArgument);
 }
 
 TEST_F(SearcherTest, ExplainsAPairAlikeInASearchAndInAComparison) {
     Searcher searcher = open();
-    for (const RankerKind ranker : kAllRankers) {
+    for (const ranking::RankerKind ranker : ranking::kAllRankers) {
         for (const bool part : {false, true}) {
             SearchOptions options;
             options.rank.ranker = ranker;

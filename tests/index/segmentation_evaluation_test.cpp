@@ -29,7 +29,8 @@ protected:
         options_.segmentations = folder_.path() / "ours";
         options_.jobs = 1;
         for (const std::string id : {"1", "2"}) {
-            write(options_.models / (id + ".off"), to_off(test::box_mesh({0, 0, 0}, {1, 1, 1})));
+            write(options_.models / (id + ".off"),
+                  mesh::to_off(test::box_mesh({0, 0, 0}, {1, 1, 1})));
             write(options_.truth / id / (id + "_0.seg"), halves());
             write(options_.truth / id / (id + "_1.seg"), halves());
             write(options_.truth / id / (id + "_2.seg"), whole());
@@ -67,7 +68,7 @@ TEST_F(SegmentationEvaluationTest, AveragesOverPeopleThenModels) {
 
 TEST_F(SegmentationEvaluationTest, GivesTheMeansOfEachClass) {
     options_.classification =
-        *parse_classification("PSB 1\n2 2\n\na 0 1\n2\n\nb 0 1\n1\n", "x.cla");
+        *ranking::parse_classification("PSB 1\n2 2\n\na 0 1\n2\n\nb 0 1\n1\n", "x.cla");
     const auto evaluation = evaluate_segmentation(options_);
     ASSERT_TRUE(evaluation.ok()) << evaluation.error().message;
     ASSERT_EQ(evaluation->per_class.size(), 2u);

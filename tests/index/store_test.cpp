@@ -66,7 +66,7 @@ TEST_F(StoreTest, GivesBackWhatWasPut) {
     const auto descriptors = store.descriptors(ids);
     ASSERT_TRUE(descriptors);
     ASSERT_EQ(descriptors->size(), 1U);
-    const ModelDescriptor& descriptor = descriptors->front().descriptor;
+    const descriptor::ModelDescriptor& descriptor = descriptors->front().descriptor;
     EXPECT_EQ(encode_descriptor(descriptor.skeleton), encode_descriptor(model.descriptor.skeleton));
     EXPECT_EQ(descriptor.skeleton.rooted.content_key, model.descriptor.skeleton.rooted.content_key);
     EXPECT_EQ(encode_globals(descriptor.globals), encode_globals(model.descriptor.globals));
@@ -263,9 +263,9 @@ TEST_F(StoreTest, KeepsStatisticsAndEvaluations) {
     EXPECT_EQ((*store.statistics())->statistics.values.size(), 2U) << "older ones do not win";
     EXPECT_EQ(store.collection_state()->statistics, 1);
 
-    const EvaluationKey key{1, RankerKind::kSkeleton, true, 0.15, content_hash("x")};
+    const EvaluationKey key{1, ranking::RankerKind::kSkeleton, true, 0.15, content_hash("x")};
     EXPECT_FALSE(store.evaluation(key)->has_value());
-    const RetrievalReport report = test::sample_report(3);
+    const ranking::RetrievalReport report = test::sample_report(3);
     ASSERT_TRUE(store.put_evaluation(key, report));
     const auto kept = store.evaluation(key);
     ASSERT_TRUE(kept->has_value());

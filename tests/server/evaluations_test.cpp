@@ -94,7 +94,7 @@ TEST_F(EvaluationsTest, AnswersThoseWhoWaitForAnEarlierRevision) {
     };
     Evaluations evaluations(compute(waits), {}, log_);
     const auto old_one = snapshot();
-    const RankOptions other{.ranker = RankerKind::kSkeleton};
+    const ranking::RankOptions other{.ranker = ranking::RankerKind::kSkeleton};
     std::jthread first([&] { EXPECT_TRUE(evaluations.get(old_one, {}, {})->ok()); });
     std::jthread second([&] { EXPECT_TRUE(evaluations.get(old_one, other, {})->ok()); });
     while (computed_ == 0) std::this_thread::sleep_for(1ms);

@@ -64,7 +64,7 @@ TEST_F(StatisticsUpdaterTest, CatchesUpWithManyRemovals) {
 
 TEST_F(StatisticsUpdaterTest, MakesThoseOfAnIndexThatHasNone) {
     const fs::path fresh = folder_.path() / "fresh.ossuary";
-    index::Store store = *index::Store::create_or_open(fresh);
+    index::Store store = *index::Store::create_or_open(fresh, index::IndexParameters{});
     ASSERT_TRUE(index::index_one(store, {built_models()[0].off, "ball", ""}));
     ASSERT_LT(store.collection_state()->statistics, 0);
     index::Searcher searcher = *index::Searcher::open(fresh);

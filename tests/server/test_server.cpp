@@ -26,7 +26,8 @@ void write(const fs::path& path, std::string_view text) {
     out << text;
 }
 
-void index_folder(const fs::path& index, const fs::path& folder, const Classification& classes) {
+void index_folder(const fs::path& index, const fs::path& folder,
+                  const ranking::Classification& classes) {
     auto store = index::Store::create_or_open(index, parameters());
     if (!store) throw std::runtime_error(store.error().message);
     index::IndexOptions options;
@@ -46,8 +47,8 @@ std::vector<BuiltModel> build_models() {
     Mat3 stretched = Mat3::Identity();
     stretched(0, 0) = 1.3;
     const auto add = [](std::vector<BuiltModel>& models, const char* class_name, const char* letter,
-                        const TriangleMesh& mesh) {
-        models.push_back({std::string(class_name) + letter, class_name, to_off(mesh)});
+                        const mesh::TriangleMesh& mesh) {
+        models.push_back({std::string(class_name) + letter, class_name, mesh::to_off(mesh)});
     };
     std::vector<BuiltModel> models;
     add(models, "ball", "a", icosphere_mesh(Vec3::Zero(), 1.0));
@@ -66,7 +67,7 @@ struct BuiltIndex {
     BuiltIndex() {
         const fs::path models = folder.path() / "models";
         fs::create_directory(models);
-        Classification classes;
+        ranking::Classification classes;
         for (const BuiltModel& model : built_models()) {
             write(models / (model.name + ".off"), model.off);
             if (classes.classes.empty() || classes.classes.back().name != model.class_name) {

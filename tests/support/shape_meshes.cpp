@@ -12,17 +12,15 @@
 namespace ossuary::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Numbers the faces as a reader would that found one triangle a polygon.
-TriangleMesh finished(TriangleMesh mesh) {
+mesh::TriangleMesh finished(mesh::TriangleMesh mesh) {
     mesh.face_of_triangle.resize(mesh.triangles.size());
     std::iota(mesh.face_of_triangle.begin(), mesh.face_of_triangle.end(), 0u);
     mesh.face_count = static_cast<std::uint32_t>(mesh.triangles.size());
     return mesh;
 }
 
-void add_quad(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+void add_quad(mesh::TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
               std::uint32_t d) {
     mesh.triangles.push_back({a, b, c});
     mesh.triangles.push_back({a, c, d});
@@ -30,8 +28,8 @@ void add_quad(TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_
 
 }  // namespace
 
-TriangleMesh open_box_mesh(const Vec3& low, const Vec3& high) {
-    TriangleMesh mesh;
+mesh::TriangleMesh open_box_mesh(const Vec3& low, const Vec3& high) {
+    mesh::TriangleMesh mesh;
     for (int corner = 0; corner < 8; ++corner) {
         mesh.vertices.emplace_back((corner & 1) ? high.x() : low.x(),
                                    (corner & 2) ? high.y() : low.y(),
@@ -45,15 +43,15 @@ TriangleMesh open_box_mesh(const Vec3& low, const Vec3& high) {
     return finished(std::move(mesh));
 }
 
-TriangleMesh box_mesh(const Vec3& low, const Vec3& high) {
-    TriangleMesh mesh = open_box_mesh(low, high);
+mesh::TriangleMesh box_mesh(const Vec3& low, const Vec3& high) {
+    mesh::TriangleMesh mesh = open_box_mesh(low, high);
     add_quad(mesh, 4, 5, 7, 6);
     return finished(std::move(mesh));
 }
 
-TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions) {
+mesh::TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions) {
     const double g = (1.0 + std::sqrt(5.0)) / 2.0;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                      {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
     mesh.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
@@ -68,7 +66,7 @@ TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions)
             if (added) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2);
             return place->second;
         };
-        std::vector<TriangleMesh::Triangle> finer;
+        std::vector<mesh::TriangleMesh::Triangle> finer;
         for (const auto& [a, b, c] : mesh.triangles) {
             const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
             finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
@@ -79,12 +77,12 @@ TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions)
     return finished(std::move(mesh));
 }
 
-TriangleMesh torus_mesh(double major, double minor, int segments, int sides) {
-    TriangleMesh mesh;
+mesh::TriangleMesh torus_mesh(double major, double minor, int segments, int sides) {
+    mesh::TriangleMesh mesh;
     for (int i = 0; i < segments; ++i) {
-        const double u = 2 * kPi * i / segments;
+        const double u = 2 * std::numbers::pi * i / segments;
         for (int j = 0; j < sides; ++j) {
-            const double v = 2 * kPi * j / sides;
+            const double v = 2 * std::numbers::pi * j / sides;
             const double r = major + minor * std::cos(v);
             mesh.vertices.emplace_back(r * std::cos(u), r * std::sin(u), minor * std::sin(v));
         }
@@ -100,18 +98,19 @@ TriangleMesh torus_mesh(double major, double minor, int segments, int sides) {
     return finished(std::move(mesh));
 }
 
-TriangleMesh capsule_mesh(const Vec3& a, const Vec3& b, double radius, int sides) {
+mesh::TriangleMesh capsule_mesh(const Vec3& a, const Vec3& b, double radius, int sides) {
     const Vec3 axis = (b - a).normalized();
     const Vec3 side = axis.unitOrthogonal();
     const Vec3 other = axis.cross(side);
     const int half_rings = std::max(2, sides / 4);
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     mesh.vertices.push_back(a - radius * axis);
     for (int ring = 1; ring < 2 * half_rings + 1; ++ring) {
         const bool lower = ring <= half_rings;
-        const double latitude = kPi / 2 * ((lower ? ring : ring - 1) - half_rings) / half_rings;
+        const double latitude =
+            std::numbers::pi / 2 * ((lower ? ring : ring - 1) - half_rings) / half_rings;
         for (int j = 0; j < sides; ++j) {
-            const double v = 2 * kPi * j / sides;
+            const double v = 2 * std::numbers::pi * j / sides;
             mesh.vertices.push_back(
                 (lower ? a : b) +
                 radius * (std::sin(latitude) * axis +
@@ -135,19 +134,19 @@ TriangleMesh capsule_mesh(const Vec3& a, const Vec3& b, double radius, int sides
     return finished(std::move(mesh));
 }
 
-TriangleMesh capsule_tree_mesh(double scale) {
-    TriangleMesh mesh;
+mesh::TriangleMesh capsule_tree_mesh(double scale) {
+    mesh::TriangleMesh mesh;
     for (const Capsule& c : tree_capsules(scale)) {
         mesh = merged(mesh, capsule_mesh(c.a, c.b, c.radius));
     }
     return mesh;
 }
 
-TriangleMesh overlapping_spheres_mesh(double radius) {
+mesh::TriangleMesh overlapping_spheres_mesh(double radius) {
     return merged(icosphere_mesh({0, 0, 0}, radius), icosphere_mesh({1.2 * radius, 0, 0}, radius));
 }
 
-TriangleMesh nested_spheres_mesh(double outer, double inner) {
+mesh::TriangleMesh nested_spheres_mesh(double outer, double inner) {
     return merged(icosphere_mesh({0, 0, 0}, outer), icosphere_mesh({0, 0, 0}, inner));
 }
 
@@ -161,8 +160,8 @@ std::vector<MeshShape> mesh_shapes() {
             {"nested_spheres", nested_spheres_mesh(), {1, 0, 0}}};
 }
 
-TriangleMesh merged(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh result = a;
+mesh::TriangleMesh merged(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    mesh::TriangleMesh result = a;
     const auto offset = static_cast<std::uint32_t>(a.vertices.size());
     result.vertices.insert(result.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const auto& [i, j, k] : b.triangles) {
@@ -175,24 +174,25 @@ TriangleMesh merged(const TriangleMesh& a, const TriangleMesh& b) {
     return result;
 }
 
-TriangleMesh transformed(const TriangleMesh& mesh, const Mat3& linear, const Vec3& translation) {
-    TriangleMesh result = mesh;
+mesh::TriangleMesh transformed(const mesh::TriangleMesh& mesh, const Mat3& linear,
+                               const Vec3& translation) {
+    mesh::TriangleMesh result = mesh;
     for (Vec3& v : result.vertices) v = linear * v + translation;
     return result;
 }
 
-TriangleMesh flipped(const TriangleMesh& mesh) {
-    TriangleMesh result = mesh;
+mesh::TriangleMesh flipped(const mesh::TriangleMesh& mesh) {
+    mesh::TriangleMesh result = mesh;
     for (auto& t : result.triangles) std::swap(t[1], t[2]);
     return result;
 }
 
-TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
+mesh::TriangleMesh renumbered(const mesh::TriangleMesh& mesh, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<std::uint32_t> new_index(mesh.vertices.size());
     std::iota(new_index.begin(), new_index.end(), 0u);
     shuffle(new_index, random);
-    TriangleMesh result = mesh;
+    mesh::TriangleMesh result = mesh;
     for (std::size_t i = 0; i < new_index.size(); ++i) {
         result.vertices[new_index[i]] = mesh.vertices[i];
     }
@@ -200,7 +200,7 @@ TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
     std::iota(order.begin(), order.end(), std::size_t{0});
     shuffle(order, random);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        TriangleMesh::Triangle t = mesh.triangles[order[i]];
+        mesh::TriangleMesh::Triangle t = mesh.triangles[order[i]];
         std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(next_below(random, 3)),
                     t.end());
         result.triangles[i] = {new_index[t[0]], new_index[t[1]], new_index[t[2]]};
@@ -209,9 +209,10 @@ TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
     return result;
 }
 
-TriangleMesh without_some_triangles(const TriangleMesh& mesh, double share, std::uint64_t seed) {
+mesh::TriangleMesh without_some_triangles(const mesh::TriangleMesh& mesh, double share,
+                                          std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    TriangleMesh result;
+    mesh::TriangleMesh result;
     result.vertices = mesh.vertices;
     for (const auto& t : mesh.triangles) {
         if (next_unit(random) >= share) result.triangles.push_back(t);
@@ -223,8 +224,8 @@ Mat3 random_rotation(std::uint64_t seed) {
     // A uniformly distributed unit quaternion (Shoemake, "Uniform random rotations", 1992).
     std::mt19937_64 random(seed);
     const double u = next_unit(random);
-    const double v = 2 * kPi * next_unit(random);
-    const double w = 2 * kPi * next_unit(random);
+    const double v = 2 * std::numbers::pi * next_unit(random);
+    const double w = 2 * std::numbers::pi * next_unit(random);
     return Eigen::Quaterniond(std::sqrt(u) * std::cos(w), std::sqrt(1 - u) * std::sin(v),
                               std::sqrt(1 - u) * std::cos(v), std::sqrt(u) * std::sin(w))
         .normalized()

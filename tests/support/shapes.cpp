@@ -12,7 +12,6 @@ namespace ossuary::test {
 namespace {
 
 constexpr int kMargin = 2;
-constexpr double kPi = std::numbers::pi;
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 d = b - a;
@@ -26,8 +25,8 @@ bool in_torus(const Vec3& p, double major, double minor) {
 
 Box3 box_around(const Vec3& half) { return {-half, half}; }
 
-BitVolume filled_box(const Vec3i& size) {
-    BitVolume volume(size + Vec3i::Constant(2 * kMargin));
+voxel::BitVolume filled_box(const Vec3i& size) {
+    voxel::BitVolume volume(size + Vec3i::Constant(2 * kMargin));
     for (int z = 0; z < size.z(); ++z) {
         for (int y = 0; y < size.y(); ++y) {
             for (int x = 0; x < size.x(); ++x) volume.set(Vec3i(x, y, z).array() + kMargin);
@@ -38,10 +37,10 @@ BitVolume filled_box(const Vec3i& size) {
 
 }  // namespace
 
-BitVolume sample_volume(const Box3& bounds, const std::function<bool(const Vec3&)>& inside) {
+voxel::BitVolume sample_volume(const Box3& bounds, const std::function<bool(const Vec3&)>& inside) {
     const Vec3 low = bounds.min().array().floor();
     const Vec3i extent = (bounds.max().array().ceil() - low.array()).cast<int>();
-    BitVolume volume(extent + Vec3i::Constant(2 * kMargin));
+    voxel::BitVolume volume(extent + Vec3i::Constant(2 * kMargin));
     for (int z = 0; z < extent.z(); ++z) {
         for (int y = 0; y < extent.y(); ++y) {
             for (int x = 0; x < extent.x(); ++x) {
@@ -136,10 +135,10 @@ VolumeShape trefoil_knot(double scale, double tube) {
     const Vec3 half = scale * Vec3(3, 3, 1) + Vec3::Constant(tube);
     const int reach = static_cast<int>(std::ceil(tube)) + 1;
     const Vec3i center = half.array().ceil().cast<int>() + kMargin;
-    BitVolume volume(2 * center);
+    voxel::BitVolume volume(2 * center);
     const int samples = static_cast<int>(scale * 60);
     for (int i = 0; i < samples; ++i) {
-        const Vec3 p = curve(2 * kPi * i / samples) + center.cast<double>();
+        const Vec3 p = curve(2 * std::numbers::pi * i / samples) + center.cast<double>();
         const Vec3i voxel = p.array().floor().cast<int>();
         for (int z = -reach; z <= reach; ++z) {
             for (int y = -reach; y <= reach; ++y) {
@@ -174,9 +173,9 @@ std::vector<VolumeShape> volume_shapes() {
             double_torus(), hollow_ball(), capsule_tree(), trefoil_knot(), linked_tori()};
 }
 
-BitVolume random_volume(const Vec3i& size, double density, std::uint64_t seed) {
+voxel::BitVolume random_volume(const Vec3i& size, double density, std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    BitVolume volume(size);
+    voxel::BitVolume volume(size);
     for (int z = 0; z < size.z(); ++z) {
         for (int y = 0; y < size.y(); ++y) {
             for (int x = 0; x < size.x(); ++x) {
@@ -187,16 +186,16 @@ BitVolume random_volume(const Vec3i& size, double density, std::uint64_t seed) {
     return volume;
 }
 
-BitVolume permuted(const BitVolume& volume, const Vec3i& order) {
+voxel::BitVolume permuted(const voxel::BitVolume& volume, const Vec3i& order) {
     const auto pick = [&](const Vec3i& v) { return Vec3i(v[order[0]], v[order[1]], v[order[2]]); };
-    BitVolume result(pick(volume.size()));
-    for_each_voxel(volume, [&](const Vec3i& v) { result.set(pick(v)); });
+    voxel::BitVolume result(pick(volume.size()));
+    voxel::for_each_voxel(volume, [&](const Vec3i& v) { result.set(pick(v)); });
     return result;
 }
 
-BitVolume mirrored(const BitVolume& volume, int axis) {
-    BitVolume result(volume.size());
-    for_each_voxel(volume, [&](Vec3i v) {
+voxel::BitVolume mirrored(const voxel::BitVolume& volume, int axis) {
+    voxel::BitVolume result(volume.size());
+    voxel::for_each_voxel(volume, [&](Vec3i v) {
         v[axis] = volume.size()[axis] - 1 - v[axis];
         result.set(v);
     });

@@ -13,7 +13,7 @@
 namespace ossuary {
 
 /// How GoogleTest writes Betti numbers in its messages.
-inline void PrintTo(const BettiNumbers& betti, std::ostream* out) {
+inline void PrintTo(const voxel::BettiNumbers& betti, std::ostream* out) {
     *out << "(" << betti.components << " components, " << betti.tunnels << " tunnels, "
          << betti.cavities << " cavities)";
 }
@@ -28,8 +28,8 @@ namespace ossuary::test {
 
 struct VolumeShape {
     std::string name;
-    BitVolume volume;
-    BettiNumbers betti;  ///< known from how the shape was built
+    voxel::BitVolume volume;
+    voxel::BettiNumbers betti;  ///< known from how the shape was built
 };
 
 VolumeShape ball(double radius = 20.0);
@@ -59,52 +59,53 @@ std::vector<VolumeShape> volume_shapes();
 
 /// Each voxel set with probability `density`, independently; the same for the same seed. Voxels of
 /// the outermost layer are set like all others.
-BitVolume random_volume(const Vec3i& size, double density, std::uint64_t seed);
+voxel::BitVolume random_volume(const Vec3i& size, double density, std::uint64_t seed);
 
 /// Sets the voxels of `bounds` (in voxels from the origin; moved into the volume with a margin of
 /// two) whose centre satisfies `inside`.
-BitVolume sample_volume(const Box3& bounds, const std::function<bool(const Vec3&)>& inside);
+voxel::BitVolume sample_volume(const Box3& bounds, const std::function<bool(const Vec3&)>& inside);
 
 /// The volume with its axes permuted: axis i of the result is axis order[i] of the input.
-BitVolume permuted(const BitVolume& volume, const Vec3i& order);
+voxel::BitVolume permuted(const voxel::BitVolume& volume, const Vec3i& order);
 /// The volume reversed along one axis.
-BitVolume mirrored(const BitVolume& volume, int axis);
+voxel::BitVolume mirrored(const voxel::BitVolume& volume, int axis);
 
 // ---- meshes: outward orientation, counter-clockwise seen from outside ----
 
 struct MeshShape {
     std::string name;
-    TriangleMesh mesh;
-    BettiNumbers betti;  ///< of the solid that it bounds, cavities filled
+    mesh::TriangleMesh mesh;
+    voxel::BettiNumbers betti;  ///< of the solid that it bounds, cavities filled
 };
 
-TriangleMesh box_mesh(const Vec3& low, const Vec3& high);
+mesh::TriangleMesh box_mesh(const Vec3& low, const Vec3& high);
 /// A box without the face at high z.
-TriangleMesh open_box_mesh(const Vec3& low, const Vec3& high);
-TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions = 3);
-TriangleMesh torus_mesh(double major, double minor, int segments = 64, int sides = 32);
-TriangleMesh capsule_mesh(const Vec3& a, const Vec3& b, double radius, int sides = 24);
+mesh::TriangleMesh open_box_mesh(const Vec3& low, const Vec3& high);
+mesh::TriangleMesh icosphere_mesh(const Vec3& center, double radius, int subdivisions = 3);
+mesh::TriangleMesh torus_mesh(double major, double minor, int segments = 64, int sides = 32);
+mesh::TriangleMesh capsule_mesh(const Vec3& a, const Vec3& b, double radius, int sides = 24);
 /// Overlapping closed capsules, the mesh of `capsule_tree`.
-TriangleMesh capsule_tree_mesh(double scale = 1.0);
+mesh::TriangleMesh capsule_tree_mesh(double scale = 1.0);
 /// Two spheres of one size whose centres are 1.2 radii apart: self-intersecting, one solid.
-TriangleMesh overlapping_spheres_mesh(double radius = 1.0);
+mesh::TriangleMesh overlapping_spheres_mesh(double radius = 1.0);
 /// A sphere in a sphere, both oriented outwards.
-TriangleMesh nested_spheres_mesh(double outer = 1.0, double inner = 0.5);
+mesh::TriangleMesh nested_spheres_mesh(double outer = 1.0, double inner = 0.5);
 
 /// Closed meshes of one solid each.
 std::vector<MeshShape> mesh_shapes();
 
 /// Both meshes in one, nothing welded.
-TriangleMesh merged(const TriangleMesh& a, const TriangleMesh& b);
+mesh::TriangleMesh merged(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b);
 /// Every vertex v becomes linear * v + translation.
-TriangleMesh transformed(const TriangleMesh& mesh, const Mat3& linear,
-                         const Vec3& translation = Vec3::Zero());
+mesh::TriangleMesh transformed(const mesh::TriangleMesh& mesh, const Mat3& linear,
+                               const Vec3& translation = Vec3::Zero());
 /// Every triangle turned over.
-TriangleMesh flipped(const TriangleMesh& mesh);
+mesh::TriangleMesh flipped(const mesh::TriangleMesh& mesh);
 /// The same surface with vertices renumbered, triangles reordered and corners rotated.
-TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed);
+mesh::TriangleMesh renumbered(const mesh::TriangleMesh& mesh, std::uint64_t seed);
 /// Without a random share of its triangles.
-TriangleMesh without_some_triangles(const TriangleMesh& mesh, double share, std::uint64_t seed);
+mesh::TriangleMesh without_some_triangles(const mesh::TriangleMesh& mesh, double share,
+                                          std::uint64_t seed);
 /// Uniformly distributed over the rotations; the same for the same seed.
 Mat3 random_rotation(std::uint64_t seed);
 

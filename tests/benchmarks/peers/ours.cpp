@@ -39,12 +39,14 @@ std::vector<double> time_runs(int runs, Work&& work) {
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 /// Adds to `document` the solid of a mesh, written to `out`, and the times that it took.
-VoxelSolid time_voxelize(const TriangleMesh& mesh, const VoxelizeOptions& options, int runs,
-                         const std::string& out, nlohmann::json& document) {
-    Result<VoxelSolid> solid = voxelize(mesh, options);
+ossuary::voxel::VoxelSolid time_voxelize(const ossuary::mesh::TriangleMesh& mesh,
+                                         const ossuary::voxel::VoxelizeOptions& options, int runs,
+                                         const std::string& out, nlohmann::json& document) {
+    Result<ossuary::voxel::VoxelSolid> solid = ossuary::voxel::voxelize(mesh, options);
     if (!solid) throw std::runtime_error(solid.error().message);
-    document["runs_processor_ms"] = time_runs(runs, [&] { solid = voxelize(mesh, options); });
-    if (const auto written = write_npy(solid->volume, out); !written) {
+    document["runs_processor_ms"] =
+        time_runs(runs, [&] { solid = ossuary::voxel::voxelize(mesh, options); });
+    if (const auto written = ossuary::voxel::write_npy(solid->volume, out); !written) {
         throw std::runtime_error(written.error().message);
     }
     document["solid"] = out;
@@ -53,13 +55,14 @@ VoxelSolid time_voxelize(const TriangleMesh& mesh, const VoxelizeOptions& option
 
 nlohmann::json voxelize_one(const std::string& path, int resolution, int runs,
                             const std::string& folder) {
-    const Result<ReadMeshResult> read = read_mesh(path);
+    const Result<ossuary::mesh::ReadMeshResult> read = ossuary::mesh::read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
-    VoxelizeOptions options;
+    ossuary::voxel::VoxelizeOptions options;
     options.resolution = resolution;
     nlohmann::json document = {{"model", stem_of(path)}};
     const std::string out = folder + "/" + stem_of(path);
-    const VoxelSolid solid = time_voxelize(read->mesh, options, runs, out + ".npy", document);
+    const ossuary::voxel::VoxelSolid solid =
+        time_voxelize(read->mesh, options, runs, out + ".npy", document);
     // What a rasteriser does that knows of no thin parts, cavities, components and tunnels.
     options.keep_thin_parts = options.fill_cavities = options.close_small_tunnels = false;
     options.bridge_gap = 0;
@@ -74,10 +77,10 @@ nlohmann::json voxelize_one(const std::string& path, int resolution, int runs,
 }
 
 nlohmann::json skeletonize_one(const std::string& path, int runs) {
-    const Result<ReadMeshResult> read = read_mesh(path);
+    const Result<ossuary::mesh::ReadMeshResult> read = ossuary::mesh::read_mesh(path);
     if (!read) throw std::runtime_error(read.error().message);
     const auto runs_processor_ms = time_runs(runs, [&] {
-        if (const auto skeleton = skeletonize(read->mesh); !skeleton) {
+        if (const auto skeleton = ossuary::skeleton::skeletonize(read->mesh); !skeleton) {
             throw std::runtime_error(skeleton.error().message);
         }
     });

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
 using Code = std::vector<DirectionStep>;
@@ -111,4 +111,4 @@ TEST(Alignment, HoldsTheLongestCodesWithoutOverflow) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

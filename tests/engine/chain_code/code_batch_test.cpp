@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
 using Code = std::vector<DirectionStep>;
@@ -63,4 +63,4 @@ TEST(CodeBatch, AlignsTheLongestCodes) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
 struct Curve {
@@ -135,4 +135,4 @@ TEST(BranchFrame, LooksTheSameWayAlongAnS) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
 const Vec3i kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
@@ -29,7 +29,7 @@ std::vector<Eigen::Matrix3i> lattice_rotations() {
     return rotations;
 }
 
-std::string random_code(std::mt19937& random, int length) {
+std::string random_words(std::mt19937& random, int length) {
     std::string code;
     bool turned = false;
     for (int i = 0; i < length; ++i) {
@@ -85,7 +85,7 @@ TEST(FiveElementCode, RemembersTheTurnBeforeAStraightRun) {
 TEST(FiveElementCode, DecodesToAPathWithTheSameCode) {
     std::mt19937 random(11);
     for (int round = 0; round < 500; ++round) {
-        const std::string code = random_code(random, round % 40);
+        const std::string code = random_words(random, round % 40);
         const auto path = decode_five_element_code(code);
         ASSERT_TRUE(path.ok());
         EXPECT_EQ(path->size(), code.size() + 2);
@@ -96,7 +96,7 @@ TEST(FiveElementCode, DecodesToAPathWithTheSameCode) {
 TEST(FiveElementCode, DeterminesThePathUpToARotation) {
     std::mt19937 random(12);
     for (int round = 0; round < 50; ++round) {
-        const auto path = decode_five_element_code(random_code(random, 30));
+        const auto path = decode_five_element_code(random_words(random, 30));
         ASSERT_TRUE(path.ok());
         for (const Eigen::Matrix3i& rotation : lattice_rotations()) {
             std::vector<Vec3i> moved;
@@ -129,4 +129,4 @@ TEST(FiveElementCode, RefusesOtherCharacters) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

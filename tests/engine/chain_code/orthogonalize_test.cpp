@@ -9,7 +9,7 @@
 
 #include "engine/chain_code/five_element_code.h"
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
 std::vector<Vec3> smooth_curve(std::mt19937& random, int count) {
@@ -115,4 +115,4 @@ TEST(Orthogonalize, GivesTheSameCodeOnAQuarterTurnedLattice) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -5,10 +5,10 @@
 #include <random>
 #include <string>
 
-namespace ossuary {
+namespace ossuary::chain_code {
 namespace {
 
-std::string random_code(std::mt19937& random, int longest) {
+std::string random_digits(std::mt19937& random, int longest) {
     std::string code;
     for (int left = std::uniform_int_distribution<>(0, longest)(random); left > 0; --left) {
         code.push_back(static_cast<char>('0' + std::uniform_int_distribution<>(0, 4)(random)));
@@ -55,8 +55,8 @@ TEST(StretchTwist, FillsUpAtTheEnd) {
 TEST(StretchTwist, IsSymmetricBoundedAndCountsEveryDescriptorOfTheLonger) {
     std::mt19937 random(7);
     for (int round = 0; round < 2000; ++round) {
-        const std::string s = random_code(random, 12);
-        const std::string p = random_code(random, 12);
+        const std::string s = random_digits(random, 12);
+        const std::string p = random_digits(random, 12);
         const StretchTwist there = stretch_twist(s, p);
         const StretchTwist back = stretch_twist(p, s);
         EXPECT_EQ(there.distance(), back.distance());
@@ -69,4 +69,4 @@ TEST(StretchTwist, IsSymmetricBoundedAndCountsEveryDescriptorOfTheLonger) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::chain_code

@@ -6,16 +6,16 @@
 #include "engine/mesh/measures.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
-Vec3 center_of(const TriangleMesh& mesh, std::size_t triangle) {
+Vec3 center_of(const mesh::TriangleMesh& mesh, std::size_t triangle) {
     const auto [a, b, c] = mesh.corners(triangle);
     return (a + b + c) / 3.0;
 }
 
 /// Quarters of a surface around the z axis.
-Segmentation quarters(const TriangleMesh& mesh) {
+Segmentation quarters(const mesh::TriangleMesh& mesh) {
     Segmentation parts{{}, 4};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Vec3 center = center_of(mesh, t);
@@ -24,18 +24,18 @@ Segmentation quarters(const TriangleMesh& mesh) {
     return parts;
 }
 
-std::vector<double> area_shares(const TriangleMesh& mesh, const Segmentation& parts) {
+std::vector<double> area_shares(const mesh::TriangleMesh& mesh, const Segmentation& parts) {
     std::vector<double> shares(parts.parts, 0.0);
-    const double whole = measure(mesh).surface_area;
+    const double whole = mesh::measure(mesh).surface_area;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        shares[parts.labels[t]] += triangle_area(mesh, t) / whole;
+        shares[parts.labels[t]] += mesh::triangle_area(mesh, t) / whole;
     }
     return shares;
 }
 
 TEST(CarryLabels, KeepsEachPartInItsPlaceAndSize) {
-    const TriangleMesh mesh = test::torus_mesh(2.0, 0.5, 128, 64);
-    const TriangleMesh copy = decimate(mesh, {.max_triangles = 1000});
+    const mesh::TriangleMesh mesh = test::torus_mesh(2.0, 0.5, 128, 64);
+    const mesh::TriangleMesh copy = mesh::decimate(mesh, {.max_triangles = 1000});
     ASSERT_LE(copy.triangles.size(), 1000U);
     const Segmentation parts = quarters(mesh);
     const auto carried = carry_labels(mesh, parts, copy);
@@ -53,7 +53,7 @@ TEST(CarryLabels, KeepsEachPartInItsPlaceAndSize) {
 }
 
 TEST(CarryLabels, LeavesLabelsAsTheyAreWhereTheCopyIsTheMesh) {
-    TriangleMesh mesh = test::torus_mesh(2.0, 0.5, 24, 12);
+    mesh::TriangleMesh mesh = test::torus_mesh(2.0, 0.5, 24, 12);
     // Both sides of the surface, each of a part of its own, and a triangle that is a line.
     const std::size_t one_side = mesh.triangles.size();
     for (std::size_t t = 0; t < one_side; ++t) {
@@ -65,7 +65,7 @@ TEST(CarryLabels, LeavesLabelsAsTheyAreWhereTheCopyIsTheMesh) {
     mesh.face_of_triangle.resize(mesh.triangles.size());
     Segmentation parts{std::vector<std::uint32_t>(mesh.triangles.size(), 0), 2};
     for (std::size_t t = 1 + one_side; t < parts.labels.size(); ++t) parts.labels[t] = 1;
-    const TriangleMesh copy = decimate(mesh, {.max_triangles = 5000});
+    const mesh::TriangleMesh copy = mesh::decimate(mesh, {.max_triangles = 5000});
     ASSERT_EQ(copy.triangles.size(), 2 * one_side);
     const auto carried = carry_labels(mesh, parts, copy);
     ASSERT_TRUE(carried.ok());
@@ -74,8 +74,8 @@ TEST(CarryLabels, LeavesLabelsAsTheyAreWhereTheCopyIsTheMesh) {
 }
 
 TEST(CarryLabels, LosesNoPartHoweverSmall) {
-    const TriangleMesh mesh = test::icosphere_mesh(Vec3::Zero(), 1.0, 5);
-    const TriangleMesh copy = decimate(mesh, {.max_triangles = 200});
+    const mesh::TriangleMesh mesh = test::icosphere_mesh(Vec3::Zero(), 1.0, 5);
+    const mesh::TriangleMesh copy = mesh::decimate(mesh, {.max_triangles = 200});
     // Fifty single triangles among twenty thousand.
     Segmentation parts{std::vector<std::uint32_t>(mesh.triangles.size(), 0), 51};
     for (std::uint32_t p = 1; p <= 50; ++p) parts.labels[p * 397] = p;
@@ -94,8 +94,8 @@ TEST(CarryLabels, LosesNoPartHoweverSmall) {
 }
 
 TEST(CarryLabels, RefusesACopyThatHasNoRoomForTheParts) {
-    const TriangleMesh mesh = test::icosphere_mesh(Vec3::Zero(), 1.0, 3);
-    const TriangleMesh copy = decimate(mesh, {.max_triangles = 20});
+    const mesh::TriangleMesh mesh = test::icosphere_mesh(Vec3::Zero(), 1.0, 3);
+    const mesh::TriangleMesh copy = mesh::decimate(mesh, {.max_triangles = 20});
     Segmentation parts{std::vector<std::uint32_t>(mesh.triangles.size(), 0), 100};
     for (std::uint32_t t = 0; t < 100; ++t) parts.labels[t] = t;
     const auto carried = carry_labels(mesh, parts, copy);
@@ -104,4 +104,4 @@ TEST(CarryLabels, RefusesACopyThatHasNoRoomForTheParts) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 /// A strip of `length` unit squares along x, two triangles each.
-TriangleMesh strip(int length) {
-    TriangleMesh mesh;
+mesh::TriangleMesh strip(int length) {
+    mesh::TriangleMesh mesh;
     for (int x = 0; x <= length; ++x) {
         mesh.vertices.emplace_back(x, 0.0, 0.0);
         mesh.vertices.emplace_back(x, 1.0, 0.0);
@@ -29,7 +29,7 @@ Segmentation cut_at(int length, int x) {
 }
 
 TEST(CutDiscrepancy, IsTheDistanceOfTwoParallelCuts) {
-    const TriangleMesh mesh = strip(10);
+    const mesh::TriangleMesh mesh = strip(10);
     const CutDiscrepancy discrepancy(mesh);
     const auto a = discrepancy.cuts_of(cut_at(10, 3)), b = discrepancy.cuts_of(cut_at(10, 7));
     double radius = 0.0;
@@ -62,4 +62,4 @@ TEST(CutDiscrepancy, CountsEveryCutVertexOnce) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

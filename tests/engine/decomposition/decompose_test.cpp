@@ -14,19 +14,19 @@
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
-Segmentation parts_of(const TriangleMesh& mesh, std::size_t parts = 0) {
+Segmentation parts_of(const mesh::TriangleMesh& mesh, std::size_t parts = 0) {
     const auto result = decompose(mesh, {.parts = parts});
     EXPECT_TRUE(result.ok()) << result.error().message;
     return result.ok() ? result->segmentation : Segmentation{};
 }
 
 /// Two balls of one size joined by a thin rod, as one closed surface of revolution about x.
-TriangleMesh dumbbell() {
+mesh::TriangleMesh dumbbell() {
     constexpr int kRings = 120, kSides = 48;
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     const auto radius = [](double x) {
         const double ball = 1.0 - (std::abs(x) - 2.5) * (std::abs(x) - 2.5);
         const double rod = std::abs(x) < 2.5 ? 0.15 : 0.0;
@@ -59,8 +59,8 @@ TriangleMesh dumbbell() {
 }
 
 /// How many connected pieces the parts have in all.
-std::size_t connected_pieces(const TriangleMesh& mesh, const Segmentation& segmentation) {
-    const auto across = adjacent_triangles(mesh, build_edge_table(mesh));
+std::size_t connected_pieces(const mesh::TriangleMesh& mesh, const Segmentation& segmentation) {
+    const auto across = mesh::adjacent_triangles(mesh, mesh::build_edge_table(mesh));
     std::vector<bool> seen(mesh.triangles.size(), false);
     std::size_t pieces = 0;
     for (std::uint32_t start = 0; start < seen.size(); ++start) {
@@ -72,7 +72,7 @@ std::size_t connected_pieces(const TriangleMesh& mesh, const Segmentation& segme
             const std::uint32_t t = open.back();
             open.pop_back();
             for (const std::uint32_t other : across[t]) {
-                if (other == kNoTriangle || seen[other]) continue;
+                if (other == mesh::kNoTriangle || seen[other]) continue;
                 if (segmentation.labels[other] != segmentation.labels[t]) continue;
                 seen[other] = true;
                 open.push_back(other);
@@ -98,7 +98,7 @@ TEST(Decompose, NamesEachPartOfTheThesisMethodByTheBranchThatMadeIt) {
 }
 
 TEST(Decompose, PartsTheBallsOfADumbbell) {
-    const TriangleMesh mesh = dumbbell();
+    const mesh::TriangleMesh mesh = dumbbell();
     const Segmentation segmentation = parts_of(mesh);
     EXPECT_GE(segmentation.parts, 2u);
     std::set<std::uint32_t> left, right;
@@ -118,7 +118,7 @@ TEST(Decompose, LeavesABallWhole) {
 }
 
 TEST(Decompose, MakesAsManyConnectedPartsAsAreAskedFor) {
-    const TriangleMesh mesh = dumbbell();
+    const mesh::TriangleMesh mesh = dumbbell();
     for (const std::size_t parts : {1u, 2u, 3u, 7u}) {
         const Segmentation segmentation = parts_of(mesh, parts);
         EXPECT_EQ(segmentation.parts, parts);
@@ -127,7 +127,7 @@ TEST(Decompose, MakesAsManyConnectedPartsAsAreAskedFor) {
 }
 
 TEST(Decompose, SaysWhatItsPartsAreLike) {
-    const TriangleMesh mesh = dumbbell();
+    const mesh::TriangleMesh mesh = dumbbell();
     const auto result = decompose(mesh, {.parts = 3});
     ASSERT_TRUE(result.ok());
     std::size_t triangles = 0;
@@ -150,12 +150,12 @@ TEST(Decompose, SaysWhatItsPartsAreLike) {
 }
 
 TEST(Decompose, GivesTheSameEveryTime) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     EXPECT_EQ(parts_of(mesh), parts_of(mesh));
 }
 
 TEST(Decompose, DoesNotDependOnPlaceAndSize) {
-    const TriangleMesh mesh = dumbbell();
+    const mesh::TriangleMesh mesh = dumbbell();
     const Mat3 larger = 4.0 * Mat3::Identity();
     const Segmentation moved = parts_of(test::transformed(mesh, larger, Vec3(64.0, -32.0, 8.0)));
     const std::vector<double> areas(mesh.triangles.size(), 1.0);
@@ -163,23 +163,23 @@ TEST(Decompose, DoesNotDependOnPlaceAndSize) {
 }
 
 TEST(Decompose, LabelsEveryTriangleOfBadSurfaces) {
-    TriangleMesh soup =
+    mesh::TriangleMesh soup =
         test::merged(test::box_mesh({0, 0, 0}, {1, 1, 1}), test::box_mesh({3, 0, 0}, {4, 1, 1}));
-    TriangleMesh fan = test::box_mesh({0, 0, 0}, {1, 1, 1});  // an edge of three triangles
+    mesh::TriangleMesh fan = test::box_mesh({0, 0, 0}, {1, 1, 1});  // an edge of three triangles
     fan.vertices.emplace_back(2.0, 2.0, 2.0);
     fan.triangles.push_back({fan.triangles[0][0], fan.triangles[0][1],
                              static_cast<std::uint32_t>(fan.vertices.size() - 1)});
-    TriangleMesh folded = test::box_mesh({0, 0, 0}, {1, 1, 1});  // triangles without area
+    mesh::TriangleMesh folded = test::box_mesh({0, 0, 0}, {1, 1, 1});  // triangles without area
     folded.triangles.push_back({0, 1, 1});
     folded.triangles.push_back({2, 2, 2});
-    TriangleMesh single;
+    mesh::TriangleMesh single;
     single.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     single.triangles = {{0, 1, 2}};
-    TriangleMesh line = single;  // extent without area
+    mesh::TriangleMesh line = single;  // extent without area
     line.vertices[2] = {2, 0, 0};
-    TriangleMesh open = test::open_box_mesh({0, 0, 0}, {1, 1, 1});
-    TriangleMesh torn = test::without_some_triangles(test::torus_mesh(3.0, 1.0), 0.3, 5);
-    for (TriangleMesh* mesh : {&soup, &fan, &folded, &single, &line, &open, &torn}) {
+    mesh::TriangleMesh open = test::open_box_mesh({0, 0, 0}, {1, 1, 1});
+    mesh::TriangleMesh torn = test::without_some_triangles(test::torus_mesh(3.0, 1.0), 0.3, 5);
+    for (mesh::TriangleMesh* mesh : {&soup, &fan, &folded, &single, &line, &open, &torn}) {
         const Segmentation segmentation = parts_of(*mesh);
         EXPECT_EQ(segmentation.labels.size(), mesh->triangles.size());
         for (const std::uint32_t label : segmentation.labels) EXPECT_LT(label, segmentation.parts);
@@ -189,16 +189,16 @@ TEST(Decompose, LabelsEveryTriangleOfBadSurfaces) {
 }
 
 TEST(Decompose, SaysWhyItCannot) {
-    const auto empty = decompose(TriangleMesh{});
+    const auto empty = decompose(mesh::TriangleMesh{});
     ASSERT_FALSE(empty.ok());
     EXPECT_EQ(empty.error().code, ErrorCode::kMeshEmpty);
-    TriangleMesh point;
+    mesh::TriangleMesh point;
     point.vertices = {{1, 1, 1}};
     point.triangles = {{0, 0, 0}};
     const auto no_extent = decompose(point);
     ASSERT_FALSE(no_extent.ok());
     EXPECT_EQ(no_extent.error().code, ErrorCode::kMeshNoExtent);
-    TriangleMesh single;
+    mesh::TriangleMesh single;
     single.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     single.triangles = {{0, 1, 2}};
     for (const std::size_t parts : {std::size_t{2}, kMaxParts + 1}) {
@@ -217,7 +217,7 @@ TEST(Decompose, StopsWhenAsked) {
 }
 
 TEST(FaceSegmentation, GivesAFaceThePartOfMostOfItsArea) {
-    const auto read = read_mesh(
+    const auto read = mesh::read_mesh(
         "OFF\n5 3 0\n0 0 0\n4 0 0\n4 1 0\n0 1 0\n5 1 0\n4 0 1 2 3\n2 0 1\n3 1 4 2\n", "x.off");
     ASSERT_TRUE(read.ok()) << read.error().message;
     ASSERT_EQ(read->mesh.triangles.size(), 3u);
@@ -228,7 +228,7 @@ TEST(FaceSegmentation, GivesAFaceThePartOfMostOfItsArea) {
 TEST(RefineBorders, MovesABorderIntoTheNeckNearIt) {
     // Cut off the middle of the rod, where it is no cheaper than anywhere else on the rod, but the
     // crease at its end is within reach.
-    const TriangleMesh mesh = dumbbell();
+    const mesh::TriangleMesh mesh = dumbbell();
     const SurfaceGraph surface = surface_graph(mesh);
     std::vector<std::uint32_t> labels;
     for (const Vec3& center : surface.centers) labels.push_back(center.x() < -1.3 ? 0 : 1);
@@ -247,7 +247,7 @@ TEST(Decompose, CutsModelsOfTheBenchmarkAsPeopleDo) {
     int models = 0;
     for (int model = 7; model <= 400; model += 20) {  // one of each class
         const std::string name = std::to_string(model);
-        const auto mesh = read_mesh(folder / "off" / (name + ".off"));
+        const auto mesh = mesh::read_mesh(folder / "off" / (name + ".off"));
         if (!mesh.ok()) continue;
         const std::size_t faces = mesh->mesh.triangles.size();
         const auto humans = read_segmentations(folder / "seg", name, faces);
@@ -266,4 +266,4 @@ TEST(Decompose, CutsModelsOfTheBenchmarkAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

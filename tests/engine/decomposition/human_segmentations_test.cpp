@@ -10,7 +10,7 @@
 #include "engine/mesh/read_mesh.h"
 #include "tests/support/benchmark_data.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ TEST(HumanSegmentations, RandIndexErrorOfTwentyModelsIsThatOfTheSegFiles) {
     int models = 0;
     for (int model = 3; model <= 400 && models < 20; model += 19) {
         const std::string name = std::to_string(model);
-        const auto mesh = read_mesh(folder / "off" / (name + ".off"));
+        const auto mesh = mesh::read_mesh(folder / "off" / (name + ".off"));
         if (!mesh) continue;  // 261 to 280 are not part of the benchmark
         const std::size_t faces = mesh->mesh.face_count;
         const auto humans = read_segmentations(folder / "seg", name, faces);
@@ -101,4 +101,4 @@ TEST(HumanSegmentations, PeopleDifferFromEachOtherByATenthOfThePairs) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

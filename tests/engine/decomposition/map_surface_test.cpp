@@ -11,17 +11,17 @@
 #include "engine/decomposition/flooding.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 /// Three straight branches that meet at the origin.
-SkeletonGraph tripod() {
-    SkeletonGraph graph;
+skeleton::SkeletonGraph tripod() {
+    skeleton::SkeletonGraph graph;
     graph.nodes.resize(4);
     const Vec3 ends[] = {{1, 0, 0}, {-0.5, 0.9, 0}, {-0.5, -0.9, 0}};
     for (std::uint32_t b = 0; b < 3; ++b) {
         graph.nodes[b + 1].position = ends[b];
-        SkeletonGraph::Branch branch{0, b + 1, {}, {}};
+        skeleton::SkeletonGraph::Branch branch{0, b + 1, {}, {}};
         for (int k = 0; k <= 20; ++k) {
             branch.points.emplace_back(k / 20.0 * ends[b]);
             branch.radii.push_back(0.1);
@@ -32,7 +32,7 @@ SkeletonGraph tripod() {
 }
 
 TEST(BranchMapping, FindsTheLeastOfEquation38OverAllVertices) {
-    const SkeletonGraph skeleton = tripod();
+    const skeleton::SkeletonGraph skeleton = tripod();
     const BranchMapping mapping(skeleton);
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -60,7 +60,7 @@ TEST(BranchMapping, FindsTheLeastOfEquation38OverAllVertices) {
 }
 
 TEST(MapSurface, GivesEachLimbItsBranch) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto result = decompose(mesh, {.method = DecompositionMethod::kThesis});
     ASSERT_TRUE(result.ok()) << result.error().message;
     EXPECT_EQ(result->segmentation.labels.size(), mesh.triangles.size());
@@ -69,18 +69,18 @@ TEST(MapSurface, GivesEachLimbItsBranch) {
 }
 
 TEST(MapSurface, DependsOnTheSeedAlone) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto once = decompose(mesh, {.method = DecompositionMethod::kThesis, .seed = 5});
     const auto twice = decompose(mesh, {.method = DecompositionMethod::kThesis, .seed = 5});
     EXPECT_EQ(once->segmentation, twice->segmentation);
-    const SkeletonGraph skeleton = tripod();
-    const TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 4);
+    const skeleton::SkeletonGraph skeleton = tripod();
+    const mesh::TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 4);
     EXPECT_NE(map_surface(ball, skeleton, {.seed = 1}), map_surface(ball, skeleton, {.seed = 2}));
 }
 
 TEST(MapSurface, MapsEverythingToOnePartWhereTheSkeletonIsAPoint) {
-    const TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 3);
-    const auto labels = map_surface(ball, SkeletonGraph{});
+    const mesh::TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 3);
+    const auto labels = map_surface(ball, skeleton::SkeletonGraph{});
     EXPECT_EQ(std::set<std::uint32_t>(labels.begin(), labels.end()).size(), 1u);
 }
 
@@ -116,4 +116,4 @@ TEST(FloodLabels, LeavesWhatNoLabelReaches) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

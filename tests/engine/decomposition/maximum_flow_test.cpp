@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 struct Edge {
@@ -55,4 +55,4 @@ TEST(MaximumFlow, FindsTheCheapestOfAllCutsOfSmallGraphs) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

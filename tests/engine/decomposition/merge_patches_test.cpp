@@ -5,7 +5,7 @@
 
 #include "engine/decomposition/pair_features.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 using ::testing::ElementsAre;
@@ -55,4 +55,4 @@ TEST(MergePatches, StopsAtTheWantedNumber) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

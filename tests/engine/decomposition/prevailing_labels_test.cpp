@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 using testing::ElementsAre;
@@ -31,4 +31,4 @@ TEST(PrevailingLabels, TakesALabelWithoutAreaRatherThanNone) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

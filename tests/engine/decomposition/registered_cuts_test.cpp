@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 constexpr int kLength = 20;
 
 /// A closed square tube of unit squares along x, without ends.
-TriangleMesh tube() {
-    TriangleMesh mesh;
+mesh::TriangleMesh tube() {
+    mesh::TriangleMesh mesh;
     for (int x = 0; x <= kLength; ++x) {
         for (const auto& [y, z] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
             mesh.vertices.emplace_back(x, y, z);
@@ -29,14 +29,14 @@ TriangleMesh tube() {
 
 /// The cuts of the tube across at these places; each is 4 long.
 std::vector<Cut> cuts_at(const std::vector<int>& places) {
-    const TriangleMesh mesh = tube();
+    const mesh::TriangleMesh mesh = tube();
     std::vector<std::uint32_t> labels;
     for (int t = 0; t < 8 * kLength; ++t) {
         const int x = t / 8;
         labels.push_back(static_cast<std::uint32_t>(
             std::count_if(places.begin(), places.end(), [&](int place) { return place <= x; })));
     }
-    return find_cuts(mesh, build_edge_table(mesh), dense_segmentation(labels));
+    return find_cuts(mesh, mesh::build_edge_table(mesh), dense_segmentation(labels));
 }
 
 TEST(RegisteredCuts, AreTheClosedLinesBetweenParts) {
@@ -51,10 +51,10 @@ TEST(RegisteredCuts, AreTheClosedLinesBetweenParts) {
 }
 
 TEST(RegisteredCuts, CountApartWhereTwoPartsTouchTwice) {
-    const TriangleMesh mesh = tube();
+    const mesh::TriangleMesh mesh = tube();
     std::vector<std::uint32_t> labels;
     for (int t = 0; t < 8 * kLength; ++t) labels.push_back(t / 8 >= 5 && t / 8 < 12 ? 1 : 0);
-    EXPECT_EQ(find_cuts(mesh, build_edge_table(mesh), {labels, 2}).size(), 2U);
+    EXPECT_EQ(find_cuts(mesh, mesh::build_edge_table(mesh), {labels, 2}).size(), 2U);
 }
 
 TEST(RegisteredCuts, OfEqualSegmentationsAreNoDistanceApart) {
@@ -89,4 +89,4 @@ TEST(RegisteredCuts, AreNotPairedAcrossTheModel) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

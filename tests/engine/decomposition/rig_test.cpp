@@ -8,11 +8,11 @@
 #include "engine/decomposition/decompose.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 TEST(Rig, HasAJointForEachBranchAndOneToHoldThem) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto decomposition = decompose(mesh);
     ASSERT_TRUE(decomposition.ok());
     const Rig rig = make_rig(mesh, decomposition->skeleton);
@@ -30,14 +30,14 @@ TEST(Rig, HasAJointForEachBranchAndOneToHoldThem) {
 }
 
 TEST(Rig, HasATipAtEachEndOfTheSkeletonThatNothingFollows) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
-    const SkeletonGraph skeleton = decompose(mesh)->skeleton;
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
+    const skeleton::SkeletonGraph skeleton = decompose(mesh)->skeleton;
     const Rig rig = make_rig(mesh, skeleton);
     std::set<std::size_t> tips;
     for (std::size_t k = 1; k < rig.joints.size(); ++k) {
         if (rig.joints[k].branch >= 0) continue;
         tips.insert(k);
-        const auto at_tip = [&](const SkeletonGraph::Node& node) {
+        const auto at_tip = [&](const skeleton::SkeletonGraph::Node& node) {
             return node.position == rig.joints[k].position;
         };
         EXPECT_TRUE(std::any_of(skeleton.nodes.begin(), skeleton.nodes.end(), at_tip));
@@ -59,7 +59,7 @@ TEST(Rig, HasATipAtEachEndOfTheSkeletonThatNothingFollows) {
 }
 
 TEST(Rig, WeighsEveryVertexByOneInAll) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const Rig rig = make_rig(mesh, decompose(mesh)->skeleton);
     ASSERT_EQ(rig.weights.size(), mesh.vertices.size());
     bool any_shared = false;
@@ -79,11 +79,11 @@ TEST(Rig, WeighsEveryVertexByOneInAll) {
 }
 
 TEST(Rig, HoldsModelsWithoutBranchesByOneJoint) {
-    const TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 2);
-    const Rig rig = make_rig(ball, SkeletonGraph{});
+    const mesh::TriangleMesh ball = test::icosphere_mesh(Vec3::Zero(), 1.0, 2);
+    const Rig rig = make_rig(ball, skeleton::SkeletonGraph{});
     EXPECT_EQ(rig.joints.size(), 1u);
     for (const Rig::Weights& weights : rig.weights) EXPECT_EQ(weights.weights[0], 1.0F);
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

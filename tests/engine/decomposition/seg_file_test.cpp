@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 using ::testing::ElementsAre;
@@ -47,4 +47,4 @@ TEST(SegFile, SaysThatAFileIsMissing) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

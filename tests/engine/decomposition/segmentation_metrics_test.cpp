@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace ossuary {
+namespace ossuary::decomposition {
 namespace {
 
 std::vector<double> ones(std::size_t count) { return std::vector<double>(count, 1.0); }
@@ -89,4 +89,4 @@ TEST(SegmentationMetrics, SurviveOneFaceAndNoArea) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::decomposition

@@ -10,7 +10,7 @@
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 /// Every number is finite and the parts have their fixed lengths.
@@ -34,8 +34,8 @@ void expect_whole(const Description& description, const std::string& name) {
 }
 
 TEST(Describe, DescribesBuiltShapesAndRaggedOnes) {
-    const TriangleMesh torus = test::torus_mesh(1.0, 0.3);
-    const std::vector<std::pair<std::string, TriangleMesh>> meshes = {
+    const mesh::TriangleMesh torus = test::torus_mesh(1.0, 0.3);
+    const std::vector<std::pair<std::string, mesh::TriangleMesh>> meshes = {
         {"torus", torus},
         {"tree", test::capsule_tree_mesh()},
         {"open box", test::open_box_mesh(Vec3::Zero(), Vec3(1, 2, 3))},
@@ -54,7 +54,7 @@ TEST(Describe, DescribesBuiltShapesAndRaggedOnes) {
 
 TEST(Describe, ReturnsTheSkeletonInTheModelsOwnUnits) {
     const Vec3 offset(1000.0, -50.0, 3.0);
-    const TriangleMesh mesh =
+    const mesh::TriangleMesh mesh =
         test::transformed(test::torus_mesh(10.0, 3.0), Mat3::Identity(), offset);
     const auto description = describe(mesh);
     ASSERT_TRUE(description.ok());
@@ -84,7 +84,7 @@ TEST(Describe, NamesItsStagesInOrder) {
 }
 
 TEST(Describe, IsTheSameEveryTime) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto a = describe(mesh), b = describe(mesh);
     ASSERT_TRUE(a.ok() && b.ok());
     EXPECT_EQ(a->descriptor.signature, b->descriptor.signature);
@@ -95,7 +95,7 @@ TEST(Describe, IsTheSameEveryTime) {
 }
 
 TEST(Describe, AveragesOverAsManyTurnedGridsAsAreAskedFor) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     std::vector<ModelDescriptor> descriptors;
     for (int grids = 0; grids <= kMaxTurnedGrids; ++grids) {
         DescribeOptions options;
@@ -126,7 +126,7 @@ TEST(Describe, StopsWhenAsked) {
 }
 
 TEST(Describe, RefusesWhatHasNoBody) {
-    const auto empty = describe(TriangleMesh{});
+    const auto empty = describe(mesh::TriangleMesh{});
     ASSERT_FALSE(empty.ok());
     EXPECT_EQ(empty.error().code, ErrorCode::kMeshEmpty);
 }
@@ -137,7 +137,7 @@ TEST(Describe, DescribesModelsOfBothCollections) {
          {"princeton-segmentation/off/1.off", "princeton-segmentation/off/25.off",
           "princeton-segmentation/off/281.off", "princeton-shape-train/off/m1298.off",
           "princeton-shape-train/off/m1118.off"}) {
-        const auto read = read_mesh(data / file);
+        const auto read = mesh::read_mesh(data / file);
         ASSERT_TRUE(read.ok()) << file;
         const auto description = describe(read->mesh);
         ASSERT_TRUE(description.ok()) << file << ": " << description.error().message;
@@ -146,4 +146,4 @@ TEST(Describe, DescribesModelsOfBothCollections) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -9,14 +9,14 @@
 #include "engine/descriptor/describe.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
-std::vector<GlobalDescriptor> of_volume(const BitVolume& volume) {
+std::vector<GlobalDescriptor> of_volume(const voxel::BitVolume& volume) {
     return global_descriptors(solid_surface(volume), volume, {});
 }
 
-std::vector<GlobalDescriptor> of_mesh(const TriangleMesh& mesh, int resolution = 96) {
+std::vector<GlobalDescriptor> of_mesh(const mesh::TriangleMesh& mesh, int resolution = 96) {
     DescribeOptions options;
     options.skeletonize.voxelize.resolution = resolution;
     options.skeletonize.canonical_pose = false;
@@ -49,7 +49,7 @@ TEST(GlobalDescriptors, FitTheirShareOfADescriptorOnDisk) {
 }
 
 TEST(GlobalDescriptors, AreTheSameForTheSameVolume) {
-    const BitVolume volume = test::capsule_tree().volume;
+    const voxel::BitVolume volume = test::capsule_tree().volume;
     const auto a = of_volume(volume), b = of_volume(volume);
     for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].values, b[k].values);
 }
@@ -114,15 +114,15 @@ TEST_F(Invariance, HoldsForAnotherResolution) {
 }
 
 TEST(GlobalDescriptors, CopeWithTinyAndFlatVolumes) {
-    BitVolume one(Vec3i(3, 3, 3));
+    voxel::BitVolume one(Vec3i(3, 3, 3));
     one.set(1, 1, 1);
-    BitVolume line(Vec3i(20, 3, 3));
+    voxel::BitVolume line(Vec3i(20, 3, 3));
     for (int x = 1; x < 19; ++x) line.set(x, 1, 1);
-    BitVolume sheet(Vec3i(20, 20, 3));
+    voxel::BitVolume sheet(Vec3i(20, 20, 3));
     for (int x = 1; x < 19; ++x) {
         for (int y = 1; y < 19; ++y) sheet.set(x, y, 1);
     }
-    for (const BitVolume& volume : {one, line, sheet}) {
+    for (const voxel::BitVolume& volume : {one, line, sheet}) {
         const auto globals = of_volume(volume);
         for (std::size_t k = 0; k < globals.size(); ++k) {
             ASSERT_EQ(globals[k].values.size(), kGlobalDescriptorKinds[k].size);
@@ -143,4 +143,4 @@ TEST(GlobalDistance, IsTheMetricOfTheTable) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 TEST(Histogram, SharesAValueBetweenTheTwoNearestBins) {
@@ -56,4 +56,4 @@ TEST(Histogram, IsAllZeroWhenEmpty) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -10,7 +10,7 @@
 #include "engine/descriptor/shape_diameter.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 TEST(ShellGraph, KeepsTheAreaAndJoinsNeighboursBothWays) {
@@ -46,7 +46,7 @@ TEST(ShellGraph, AveragesAQuarterCircleOnABall) {
 }
 
 TEST(ShellGraph, AveragesMostAtTheEndsOfABar) {
-    const BitVolume volume = test::bar({6, 6, 100}).volume;
+    const voxel::BitVolume volume = test::bar({6, 6, 100}).volume;
     const ShellGraph graph = shell_graph(solid_surface(volume), 3);
     const std::vector<float> average = average_geodesic_distances(graph, 16);
     const auto [least, most] = std::minmax_element(average.begin(), average.end());
@@ -61,7 +61,7 @@ TEST(ShellGraph, AveragesMostAtTheEndsOfABar) {
 }
 
 TEST(ShellGraph, TakesStraightDistancesBetweenPiecesThatDoNotTouch) {
-    BitVolume volume(Vec3i(60, 12, 12));
+    voxel::BitVolume volume(Vec3i(60, 12, 12));
     for (int x = 2; x < 10; ++x) {
         for (int y = 2; y < 10; ++y) {
             for (int z = 2; z < 10; ++z) volume.set(x, y, z), volume.set(x + 46, y, z);
@@ -83,13 +83,13 @@ TEST(ShellGraph, CopesWithNothing) {
 TEST(ShapeDiameter, IsThatOfTheBody) {
     // Chords of a ball within 60 degrees of the inward normal, weighted by the cosine: the mean of
     // 2 r cos over the cone, 2 r (int cos^2) / (int cos) = 2 r * 2/3 * (1 - 1/8) / (1 - 1/4).
-    const BitVolume ball = test::ball(24.0).volume;
+    const voxel::BitVolume ball = test::ball(24.0).volume;
     const ShellGraph graph = shell_graph(solid_surface(ball), 4);
     for (const float diameter : shape_diameters(graph, ball)) {
         EXPECT_NEAR(diameter / (48.0 * 2.0 / 3.0 * 0.875 / 0.75), 1.0, 0.15);
     }
     // A plate of six voxels: rays meet the other wall after 6 / cos.
-    const BitVolume plate = test::plate({60, 60, 6}).volume;
+    const voxel::BitVolume plate = test::plate({60, 60, 6}).volume;
     const ShellGraph walls = shell_graph(solid_surface(plate), 4);
     std::vector<float> diameters = shape_diameters(walls, plate);
     std::nth_element(diameters.begin(), diameters.begin() + diameters.size() / 2, diameters.end());
@@ -97,7 +97,8 @@ TEST(ShapeDiameter, IsThatOfTheBody) {
 }
 
 TEST(ShapeDiameter, IsTheSameOnALongerBar) {
-    const BitVolume volumes[] = {test::bar({8, 8, 60}).volume, test::bar({8, 8, 120}).volume};
+    const voxel::BitVolume volumes[] = {test::bar({8, 8, 60}).volume,
+                                        test::bar({8, 8, 120}).volume};
     double means[2];
     for (int i = 0; i < 2; ++i) {
         const ShellGraph graph = shell_graph(solid_surface(volumes[i]), 4);
@@ -109,4 +110,4 @@ TEST(ShapeDiameter, IsTheSameOnALongerBar) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -8,7 +8,7 @@
 #include "engine/descriptor/global_descriptors.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 double norm(const std::vector<float>& values) {
@@ -17,7 +17,7 @@ double norm(const std::vector<float>& values) {
     return std::sqrt(sum);
 }
 
-double distance(const std::vector<float>& a, const std::vector<float>& b) {
+double signature_distance(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const double d = static_cast<double>(a[i]) - static_cast<double>(b[i]);
@@ -27,7 +27,7 @@ double distance(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(Signature, IsOfUnitLengthEvenWithoutASkeleton) {
-    const BitVolume volume = test::ball().volume;
+    const voxel::BitVolume volume = test::ball().volume;
     const auto globals = global_descriptors(solid_surface(volume), volume, {});
     const auto signature = preselection_signature({}, globals);
     ASSERT_EQ(signature.size(), kSignatureSize);
@@ -46,9 +46,9 @@ TEST(Signature, IsNearerForARotatedCopyThanForAnotherShape) {
     ASSERT_TRUE(tree.ok() && turned.ok() && torus.ok());
     const auto& signature = tree->descriptor.signature;
     EXPECT_NEAR(norm(signature), 1.0, 1e-5);
-    EXPECT_LT(2.0 * distance(signature, turned->descriptor.signature),
-              distance(signature, torus->descriptor.signature));
+    EXPECT_LT(2.0 * signature_distance(signature, turned->descriptor.signature),
+              signature_distance(signature, torus->descriptor.signature));
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -7,30 +7,30 @@
 #include "engine/core/geometry.h"
 #include "engine/descriptor/byte_distance.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 /// Three limbs of different length from one point, as `transform` lays them; the first two are
 /// `angle` apart.
-SkeletonDescriptor limbs(double angle, const Mat3& transform = Mat3::Identity()) {
-    SkeletonGraph graph;
+matching::SkeletonDescriptor limbs(double angle, const Mat3& transform = Mat3::Identity()) {
+    skeleton::SkeletonGraph graph;
     graph.nodes.push_back({Vec3::Zero(), 0.05, 0.0, 3});
     const Vec3 ends[] = {Vec3(1, 0, 0), 0.7 * Vec3(std::cos(angle), std::sin(angle), 0),
                          Vec3(0, 0.1, 0.5)};
     for (const Vec3& end : ends) {
         const auto node = static_cast<std::uint32_t>(graph.nodes.size());
         graph.nodes.push_back({transform * end, 0.05, 0.0, 1});
-        SkeletonGraph::Branch branch{0, node, {}, {}};
+        skeleton::SkeletonGraph::Branch branch{0, node, {}, {}};
         for (int step = 0; step <= 20; ++step) {
             branch.points.emplace_back(step / 20.0 * (transform * end));
             branch.radii.push_back(0.05);
         }
         graph.branches.push_back(branch);
     }
-    return describe_skeleton(graph, 1.0);
+    return matching::describe_skeleton(graph, 1.0);
 }
 
-std::vector<std::uint8_t> layout(const SkeletonDescriptor& skeleton) {
+std::vector<std::uint8_t> layout(const matching::SkeletonDescriptor& skeleton) {
     return skeleton_layout({&skeleton, 1});
 }
 
@@ -56,8 +56,8 @@ TEST(SkeletonLayout, KnowsThePose) {
 }
 
 /// A short straight limb of this radius, with a stub across its middle or without.
-SkeletonDescriptor short_limb(double radius, bool with_stub) {
-    SkeletonGraph graph;
+matching::SkeletonDescriptor short_limb(double radius, bool with_stub) {
+    skeleton::SkeletonGraph graph;
     graph.nodes.push_back({Vec3::Zero(), radius, 0.0, with_stub ? 3 : 2});
     std::vector<Vec3> ends = {Vec3(0.2, 0, 0), Vec3(-0.2, 0, 0)};
     if (with_stub) ends.emplace_back(0, 0.2, 0);
@@ -66,7 +66,7 @@ SkeletonDescriptor short_limb(double radius, bool with_stub) {
         graph.nodes.push_back({end, radius, 0.0, 1});
         graph.branches.push_back({0, node, {Vec3::Zero(), end}, {radius, radius}});
     }
-    return describe_skeleton(graph, 1.0);
+    return matching::describe_skeleton(graph, 1.0);
 }
 
 TEST(SkeletonLayout, HeedsAShortBranchLessInAThickBody) {
@@ -78,13 +78,13 @@ TEST(SkeletonLayout, HeedsAShortBranchLessInAThickBody) {
 }
 
 TEST(SkeletonLayout, CopesWithAPointAndWithNothing) {
-    const SkeletonDescriptor nothing;
+    const matching::SkeletonDescriptor nothing;
     EXPECT_EQ(layout(nothing), std::vector<std::uint8_t>(kSkeletonLayoutSize, 0));
     EXPECT_EQ(skeleton_layout({}), layout(nothing));
-    SkeletonDescriptor point;
+    matching::SkeletonDescriptor point;
     point.nodes.push_back({{}, 0.2F, 0.0F});
     EXPECT_NE(layout(point), layout(nothing));
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -7,18 +7,18 @@
 
 #include "engine/core/geometry.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 /// A rod of length 2 that is bent by `angle` in its middle.
-SkeletonDescriptor bent_rod(double angle, float radius = 0.05F) {
-    SkeletonGraph graph;
+matching::SkeletonDescriptor bent_rod(double angle, float radius = 0.05F) {
+    skeleton::SkeletonGraph graph;
     const Vec3 tip = Vec3(std::cos(angle), std::sin(angle), 0.0);
     for (const Vec3& end : {Vec3(-1, 0, 0), Vec3(0, 0, 0), tip}) {
         graph.nodes.push_back({end, static_cast<double>(radius), 0.0, 1});
     }
     for (std::uint32_t i = 0; i < 2; ++i) {
-        SkeletonGraph::Branch branch{i, i + 1, {}, {}};
+        skeleton::SkeletonGraph::Branch branch{i, i + 1, {}, {}};
         for (int step = 0; step <= 20; ++step) {
             const double t = step / 20.0;
             branch.points.push_back((1.0 - t) * graph.nodes[i].position +
@@ -27,10 +27,10 @@ SkeletonDescriptor bent_rod(double angle, float radius = 0.05F) {
         }
         graph.branches.push_back(branch);
     }
-    return describe_skeleton(graph, 1.0);
+    return matching::describe_skeleton(graph, 1.0);
 }
 
-std::vector<std::uint8_t> pairs_of(const SkeletonDescriptor& skeleton) {
+std::vector<std::uint8_t> pairs_of(const matching::SkeletonDescriptor& skeleton) {
     return skeleton_pairs({&skeleton, 1});
 }
 
@@ -54,7 +54,7 @@ TEST(SkeletonPairs, AreAMetricOnWhatTheyKeep) {
 }
 
 TEST(SkeletonPairs, DoNotKnowWhereABranchBegins) {
-    SkeletonDescriptor turned = bent_rod(0.9);
+    matching::SkeletonDescriptor turned = bent_rod(0.9);
     auto& branch = turned.branches.front();
     std::swap(branch.a, branch.b);
     std::reverse(branch.radii.begin(), branch.radii.end());
@@ -67,7 +67,7 @@ TEST(SkeletonPairs, DoNotKnowWhereABranchBegins) {
 }
 
 TEST(SkeletonPairs, OfSeveralSkeletonsLieBetweenThoseOfEach) {
-    const std::vector<SkeletonDescriptor> both = {bent_rod(0.0), bent_rod(1.2)};
+    const std::vector<matching::SkeletonDescriptor> both = {bent_rod(0.0), bent_rod(1.2)};
     const auto mean = skeleton_pairs(both);
     const auto a = pairs_of(both[0]), b = pairs_of(both[1]);
     const double apart = skeleton_pairs_distance(a, b);
@@ -76,13 +76,13 @@ TEST(SkeletonPairs, OfSeveralSkeletonsLieBetweenThoseOfEach) {
 }
 
 TEST(SkeletonPairs, CopeWithAPointAndWithNothing) {
-    SkeletonDescriptor nothing;
+    matching::SkeletonDescriptor nothing;
     const auto of_nothing = pairs_of(nothing);
     EXPECT_EQ(of_nothing, std::vector<std::uint8_t>(kSkeletonPairsSize, 0));
-    SkeletonDescriptor point;
+    matching::SkeletonDescriptor point;
     point.nodes.push_back({{}, 0.2F, 0.0F});
     EXPECT_NE(pairs_of(point), of_nothing);
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

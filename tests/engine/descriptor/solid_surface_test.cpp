@@ -7,7 +7,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 TEST(SolidSurface, HasTheAreaOfABall) {
@@ -25,7 +25,7 @@ TEST(SolidSurface, HasTheAreaOfACubeFarFromItsEdges) {
 }
 
 TEST(SolidSurface, HasNormalsThatPointOutOfABall) {
-    const BitVolume volume = test::ball(20.0).volume;
+    const voxel::BitVolume volume = test::ball(20.0).volume;
     const SolidSurface surface = solid_surface(volume);
     Vec3f center = Vec3f::Zero();
     for (const Vec3f& point : surface.points) center += point;
@@ -38,7 +38,7 @@ TEST(SolidSurface, HasNormalsThatPointOutOfABall) {
 }
 
 TEST(SolidSurface, TurnsWithTheVolume) {
-    const BitVolume volume = test::capsule_tree().volume;
+    const voxel::BitVolume volume = test::capsule_tree().volume;
     const SolidSurface surface = solid_surface(volume);
     for (const Vec3i& order : {Vec3i(1, 2, 0), Vec3i(2, 1, 0), Vec3i(0, 2, 1)}) {
         const SolidSurface turned = solid_surface(test::permuted(volume, order));
@@ -50,15 +50,15 @@ TEST(SolidSurface, TurnsWithTheVolume) {
 }
 
 TEST(SolidSurface, CopesWithASingleVoxelAndWithNone) {
-    BitVolume one(Vec3i(3, 3, 3));
+    voxel::BitVolume one(Vec3i(3, 3, 3));
     one.set(1, 1, 1);
     const SolidSurface surface = solid_surface(one);
     ASSERT_EQ(surface.points.size(), 1U);
     EXPECT_NEAR(surface.normals[0].norm(), 1.0F, 1e-6F);
     EXPECT_GT(surface.total_area, 0.0);
-    EXPECT_TRUE(solid_surface(BitVolume(Vec3i(4, 4, 4))).empty());
+    EXPECT_TRUE(solid_surface(voxel::BitVolume(Vec3i(4, 4, 4))).empty());
     // A volume filled to its border: outside counts as empty.
-    BitVolume full(Vec3i(70, 2, 2));
+    voxel::BitVolume full(Vec3i(70, 2, 2));
     for (int x = 0; x < 70; ++x) {
         for (int y = 0; y < 2; ++y) full.set(x, y, 0), full.set(x, y, 1);
     }
@@ -66,4 +66,4 @@ TEST(SolidSurface, CopesWithASingleVoxelAndWithNone) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -5,11 +5,11 @@
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 TEST(SummedVolume, CountsWhatCountingOneByOneDoes) {
-    const BitVolume volume = test::random_volume({70, 13, 9}, 0.4, 3);
+    const voxel::BitVolume volume = test::random_volume({70, 13, 9}, 0.4, 3);
     const SummedVolume sums(volume);
     std::mt19937_64 random(8);
     for (int round = 0; round < 200; ++round) {
@@ -19,7 +19,7 @@ TEST(SummedVolume, CountsWhatCountingOneByOneDoes) {
             high[axis] = low[axis] + static_cast<int>(test::next_below(random, 60));
         }
         std::uint32_t expected = 0;
-        for_each_voxel(volume, [&](const Vec3i& v) {
+        voxel::for_each_voxel(volume, [&](const Vec3i& v) {
             expected += (v.array() >= low.array()).all() && (v.array() < high.array()).all();
         });
         ASSERT_EQ(sums.count(low, high), expected) << low.transpose() << " to " << high.transpose();
@@ -27,4 +27,4 @@ TEST(SummedVolume, CountsWhatCountingOneByOneDoes) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -10,7 +10,7 @@
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::descriptor {
 namespace {
 
 std::vector<float> random_image(std::size_t pixels, std::uint64_t seed) {
@@ -82,7 +82,7 @@ TEST(Panorama, HasNoGapsOnAnElongatedBody) {
 }
 
 TEST(ViewDistance, DoesNotKnowTheOrderAndTheSignsOfAxes) {
-    const BitVolume volume = test::capsule_tree().volume;
+    const voxel::BitVolume volume = test::capsule_tree().volume;
     const auto original = view_spectra(solid_surface(volume));
     const auto other = view_spectra(solid_surface(test::torus().volume));
     const double far = view_distance(original, other);
@@ -127,4 +127,4 @@ TEST(ViewDistance, LetsAxesChangePlaces) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::descriptor

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 /// The least total over all ways to give each row a column of its own.
-double try_all(const std::vector<float>& costs, std::size_t rows, std::size_t columns) {
+double least_cost(const std::vector<float>& costs, std::size_t rows, std::size_t columns) {
     std::vector<std::size_t> order(columns);
     std::iota(order.begin(), order.end(), 0U);
     double best = 1e9;
@@ -46,7 +46,7 @@ TEST(Assignment, IsTheCheapestOfAllAssignments) {
             taken[found[r]] = true;
             sum += static_cast<double>(costs[r * columns + found[r]]);
         }
-        EXPECT_NEAR(sum, try_all(costs, rows, columns), 1e-5);
+        EXPECT_NEAR(sum, least_cost(costs, rows, columns), 1e-5);
     }
 }
 
@@ -57,4 +57,4 @@ TEST(Assignment, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

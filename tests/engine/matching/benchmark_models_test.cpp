@@ -11,7 +11,7 @@
 #include "engine/skeleton/skeletonize.h"
 #include "tests/support/benchmark_data.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 struct Model {
@@ -26,19 +26,19 @@ std::vector<Model> read_models(const std::filesystem::path& data) {
         for (int i = first; i < first + 4; ++i) {
             const auto file =
                 data / "princeton-segmentation" / "off" / (std::to_string(i) + ".off");
-            const auto read = read_mesh(file);
+            const auto read = mesh::read_mesh(file);
             if (!read.ok()) {
                 ADD_FAILURE() << read.error().message;
                 continue;
             }
-            SkeletonizeOptions options;
+            skeleton::SkeletonizeOptions options;
             options.voxelize.resolution = 64;
-            const auto skeleton = skeletonize(read->mesh, options);
+            const auto skeleton = skeleton::skeletonize(read->mesh, options);
             if (!skeleton.ok()) {
                 ADD_FAILURE() << skeleton.error().message;
                 continue;
             }
-            const double scale = std::sqrt(measure(read->mesh).surface_area) /
+            const double scale = std::sqrt(mesh::measure(read->mesh).surface_area) /
                                  skeleton->solid.world_from_grid.voxel_size;
             models.push_back({first, describe_skeleton(skeleton->refined, scale)});
         }
@@ -85,4 +85,4 @@ TEST(BenchmarkModels, FindTheirOwnKind) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

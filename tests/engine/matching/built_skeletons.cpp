@@ -7,7 +7,7 @@
 namespace ossuary::test {
 namespace {
 
-double length_of(const SkeletonGraph::Branch& branch) {
+double length_of(const skeleton::SkeletonGraph::Branch& branch) {
     double length = 0.0;
     for (std::size_t i = 1; i < branch.points.size(); ++i) {
         length += (branch.points[i] - branch.points[i - 1]).norm();
@@ -23,11 +23,11 @@ std::uint32_t SkeletonBuilder::node(const Vec3& position, double radius) {
 }
 
 std::uint32_t SkeletonBuilder::branch(std::uint32_t a, std::uint32_t b, const Vec3& bulge) {
-    SkeletonGraph::Branch branch;
+    skeleton::SkeletonGraph::Branch branch;
     branch.a = a;
     branch.b = b;
-    const SkeletonGraph::Node& from = graph_.nodes[a];
-    const SkeletonGraph::Node& to = graph_.nodes[b];
+    const skeleton::SkeletonGraph::Node& from = graph_.nodes[a];
+    const skeleton::SkeletonGraph::Node& to = graph_.nodes[b];
     const double reach = (to.position - from.position).norm() + 2.0 * bulge.norm();
     const int steps = std::max(1, static_cast<int>(std::ceil(reach)));
     // A loop through one node runs around an ellipse, so that it encloses something.
@@ -45,10 +45,10 @@ std::uint32_t SkeletonBuilder::branch(std::uint32_t a, std::uint32_t b, const Ve
     return static_cast<std::uint32_t>(graph_.branches.size() - 1);
 }
 
-SkeletonGraph SkeletonBuilder::graph() const {
-    SkeletonGraph graph = graph_;
-    for (SkeletonGraph::Node& node : graph.nodes) node.significance = 10.0 * node.radius;
-    for (const SkeletonGraph::Branch& branch : graph.branches) {
+skeleton::SkeletonGraph SkeletonBuilder::graph() const {
+    skeleton::SkeletonGraph graph = graph_;
+    for (skeleton::SkeletonGraph::Node& node : graph.nodes) node.significance = 10.0 * node.radius;
+    for (const skeleton::SkeletonGraph::Branch& branch : graph.branches) {
         for (const std::uint32_t end : {branch.a, branch.b}) {
             ++graph.nodes[end].degree;
             graph.nodes[end].significance += length_of(branch);
@@ -57,7 +57,7 @@ SkeletonGraph SkeletonBuilder::graph() const {
     return graph;
 }
 
-SkeletonGraph human(double pose) {
+skeleton::SkeletonGraph human(double pose) {
     SkeletonBuilder b;
     const auto neck = b.node({0, 0, 60}, 7);
     const auto hip = b.node({0, 0, 20}, 9);
@@ -76,7 +76,7 @@ SkeletonGraph human(double pose) {
     return b.graph();
 }
 
-SkeletonGraph four_leg(double pose) {
+skeleton::SkeletonGraph four_leg(double pose) {
     SkeletonBuilder b;
     const auto shoulder = b.node({30, 0, 50}, 12);
     const auto hip = b.node({-30, 0, 48}, 13);
@@ -94,7 +94,7 @@ SkeletonGraph four_leg(double pose) {
     return b.graph();
 }
 
-SkeletonGraph octopus(double pose) {
+skeleton::SkeletonGraph octopus(double pose) {
     SkeletonBuilder b;
     const auto centre = b.node({0, 0, 0}, 14);
     for (int k = 0; k < 8; ++k) {
@@ -106,26 +106,26 @@ SkeletonGraph octopus(double pose) {
     return b.graph();
 }
 
-SkeletonGraph point() {
+skeleton::SkeletonGraph point() {
     SkeletonBuilder b;
     b.node({10, 10, 10}, 20);
     return b.graph();
 }
 
-SkeletonGraph curve() {
+skeleton::SkeletonGraph curve() {
     SkeletonBuilder b;
     b.branch(b.node({0, 0, 0}, 4), b.node({70, 0, 0}, 9), {0, 12, 0});
     return b.graph();
 }
 
-SkeletonGraph ring() {
+skeleton::SkeletonGraph ring() {
     SkeletonBuilder b;
     const auto node = b.node({0, 0, 0}, 5);
     b.branch(node, node, {60, 0, 0});
     return b.graph();
 }
 
-SkeletonGraph cup() {
+skeleton::SkeletonGraph cup() {
     SkeletonBuilder b;
     const auto upper = b.node({0, 0, 40}, 15);
     const auto lower = b.node({0, 0, 10}, 14);
@@ -136,7 +136,7 @@ SkeletonGraph cup() {
     return b.graph();
 }
 
-SkeletonGraph figure_eight() {
+skeleton::SkeletonGraph figure_eight() {
     SkeletonBuilder b;
     const auto node = b.node({0, 0, 0}, 5);
     b.branch(node, node, {50, 0, 0});
@@ -144,7 +144,7 @@ SkeletonGraph figure_eight() {
     return b.graph();
 }
 
-SkeletonGraph two_components() {
+skeleton::SkeletonGraph two_components() {
     SkeletonBuilder b;
     const auto centre = b.node({0, 0, 0}, 8);
     b.branch(centre, b.node({40, 0, 0}, 3));
@@ -155,7 +155,7 @@ SkeletonGraph two_components() {
     return b.graph();
 }
 
-SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra) {
+skeleton::SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra) {
     std::uniform_real_distribution<double> place(-50, 50), radius(2, 14), bulge(-8, 8);
     const auto any = [&] { return Vec3(place(random), place(random), place(random)); };
     const auto any_bulge = [&] { return Vec3(bulge(random), bulge(random), bulge(random)); };
@@ -175,16 +175,16 @@ SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra) {
     return b.graph();
 }
 
-SkeletonGraph renumbered(const SkeletonGraph& graph, std::mt19937& random) {
+skeleton::SkeletonGraph renumbered(const skeleton::SkeletonGraph& graph, std::mt19937& random) {
     std::vector<std::uint32_t> place(graph.nodes.size());
     std::iota(place.begin(), place.end(), 0U);
     std::shuffle(place.begin(), place.end(), random);
-    SkeletonGraph result;
+    skeleton::SkeletonGraph result;
     result.nodes.resize(graph.nodes.size());
     for (std::size_t i = 0; i < place.size(); ++i) result.nodes[place[i]] = graph.nodes[i];
     result.branches = graph.branches;
     std::shuffle(result.branches.begin(), result.branches.end(), random);
-    for (SkeletonGraph::Branch& branch : result.branches) {
+    for (skeleton::SkeletonGraph::Branch& branch : result.branches) {
         branch.a = place[branch.a];
         branch.b = place[branch.b];
         if (std::bernoulli_distribution()(random)) {
@@ -196,24 +196,24 @@ SkeletonGraph renumbered(const SkeletonGraph& graph, std::mt19937& random) {
     return result;
 }
 
-SkeletonGraph moved(const SkeletonGraph& graph, const Mat3& linear, const Vec3& shift,
-                    double scale) {
-    SkeletonGraph result = graph;
+skeleton::SkeletonGraph moved(const skeleton::SkeletonGraph& graph, const Mat3& linear,
+                              const Vec3& shift, double scale) {
+    skeleton::SkeletonGraph result = graph;
     const auto move = [&](Vec3& p) { p = scale * (linear * p) + shift; };
-    for (SkeletonGraph::Node& node : result.nodes) {
+    for (skeleton::SkeletonGraph::Node& node : result.nodes) {
         move(node.position);
         node.radius *= scale;
         node.significance *= scale;
     }
-    for (SkeletonGraph::Branch& branch : result.branches) {
+    for (skeleton::SkeletonGraph::Branch& branch : result.branches) {
         for (Vec3& p : branch.points) move(p);
         for (double& radius : branch.radii) radius *= scale;
     }
     return result;
 }
 
-SkeletonDescriptor describe(const SkeletonGraph& graph, double scale) {
-    return describe_skeleton(graph, scale);
+matching::SkeletonDescriptor describe(const skeleton::SkeletonGraph& graph, double scale) {
+    return matching::describe_skeleton(graph, scale);
 }
 
 }  // namespace ossuary::test

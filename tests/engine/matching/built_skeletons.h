@@ -15,34 +15,34 @@ public:
     /// A branch from a to b that bulges by `bulge` at its middle, with radii between the nodes'.
     std::uint32_t branch(std::uint32_t a, std::uint32_t b, const Vec3& bulge = Vec3::Zero());
     /// The graph with degrees, and significances as the branch lengths and radii of each node.
-    [[nodiscard]] SkeletonGraph graph() const;
+    [[nodiscard]] skeleton::SkeletonGraph graph() const;
 
 private:
-    SkeletonGraph graph_;
+    skeleton::SkeletonGraph graph_;
 };
 
 /// Trunk, head, two arms and two legs; `pose` in [0, 1] raises the arms and parts the legs.
-SkeletonGraph human(double pose);
+skeleton::SkeletonGraph human(double pose);
 /// Trunk, neck with head, tail and four legs; `pose` in [0, 1] swings the legs and lifts the head.
-SkeletonGraph four_leg(double pose);
+skeleton::SkeletonGraph four_leg(double pose);
 /// Eight curved arms from one junction.
-SkeletonGraph octopus(double pose);
-SkeletonGraph point();
-SkeletonGraph curve();
-SkeletonGraph ring();
-SkeletonGraph cup();           ///< a stem with a handle
-SkeletonGraph figure_eight();  ///< two loops through one node
-SkeletonGraph two_components();
+skeleton::SkeletonGraph octopus(double pose);
+skeleton::SkeletonGraph point();
+skeleton::SkeletonGraph curve();
+skeleton::SkeletonGraph ring();
+skeleton::SkeletonGraph cup();           ///< a stem with a handle
+skeleton::SkeletonGraph figure_eight();  ///< two loops through one node
+skeleton::SkeletonGraph two_components();
 
 /// A random tree with `extra` further branches that close cycles.
-SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra);
+skeleton::SkeletonGraph random_skeleton(std::mt19937& random, int nodes, int extra);
 
 /// The same skeleton with nodes and branches in another order and some branches reversed.
-SkeletonGraph renumbered(const SkeletonGraph& graph, std::mt19937& random);
-SkeletonGraph moved(const SkeletonGraph& graph, const Mat3& linear, const Vec3& shift,
-                    double scale);
+skeleton::SkeletonGraph renumbered(const skeleton::SkeletonGraph& graph, std::mt19937& random);
+skeleton::SkeletonGraph moved(const skeleton::SkeletonGraph& graph, const Mat3& linear,
+                              const Vec3& shift, double scale);
 
 /// Descriptor at a scale that suits the built skeletons.
-SkeletonDescriptor describe(const SkeletonGraph& graph, double scale = 100.0);
+matching::SkeletonDescriptor describe(const skeleton::SkeletonGraph& graph, double scale = 100.0);
 
 }  // namespace ossuary::test

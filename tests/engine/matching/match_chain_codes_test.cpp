@@ -7,23 +7,23 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 using test::describe;
 
-double distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                const ChainCodeMatchOptions& options = {}) {
+double chain_code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
+                           const ChainCodeMatchOptions& options = {}) {
     ChainCodeMatchWorkspace workspace;
     return chain_code_distance(a, b, options, workspace);
 }
 
-std::vector<SkeletonDescriptor> many_skeletons() {
+std::vector<SkeletonDescriptor> chain_code_skeletons() {
     std::vector<SkeletonDescriptor> all;
-    for (const SkeletonGraph& graph :
+    for (const skeleton::SkeletonGraph& graph :
          {test::human(0.1), test::human(0.9), test::four_leg(0.2), test::four_leg(0.8),
           test::octopus(0.3), test::curve(), test::ring(), test::cup(), test::figure_eight(),
-          test::two_components(), test::point(), SkeletonGraph{}}) {
+          test::two_components(), test::point(), skeleton::SkeletonGraph{}}) {
         all.push_back(describe(graph));
     }
     std::mt19937 random(91);
@@ -34,16 +34,17 @@ std::vector<SkeletonDescriptor> many_skeletons() {
 }
 
 TEST(MatchChainCodes, GivesZeroForASkeletonAndItself) {
-    for (const auto& skeleton : many_skeletons()) EXPECT_EQ(distance(skeleton, skeleton), 0.0);
+    for (const auto& skeleton : chain_code_skeletons())
+        EXPECT_EQ(chain_code_distance(skeleton, skeleton), 0.0);
 }
 
 TEST(MatchChainCodes, IsSymmetricBitByBitAndInTheUnitRange) {
-    const auto all = many_skeletons();
+    const auto all = chain_code_skeletons();
     for (const auto& a : all) {
         for (const auto& b : all) {
-            EXPECT_EQ(distance(a, b), distance(b, a));
-            EXPECT_GE(distance(a, b), 0.0);
-            EXPECT_LE(distance(a, b), 1.0);
+            EXPECT_EQ(chain_code_distance(a, b), chain_code_distance(b, a));
+            EXPECT_GE(chain_code_distance(a, b), 0.0);
+            EXPECT_LE(chain_code_distance(a, b), 1.0);
         }
     }
 }
@@ -52,21 +53,21 @@ TEST(MatchChainCodes, DoesNotDependOnNumberingDirectionOrAWholeVoxelShift) {
     std::mt19937 random(92);
     const SkeletonDescriptor other = describe(test::human(0.4));
     for (int round = 0; round < 30; ++round) {
-        const SkeletonGraph graph = test::random_skeleton(random, 12, 0);
+        const skeleton::SkeletonGraph graph = test::random_skeleton(random, 12, 0);
         const SkeletonDescriptor first = describe(graph);
         const SkeletonDescriptor second = describe(
             test::renumbered(test::moved(graph, Mat3::Identity(), Vec3(8, -16, 32), 1.0), random));
-        EXPECT_EQ(distance(first, second), 0.0);
-        EXPECT_NEAR(distance(first, other), distance(second, other), 1e-12);
+        EXPECT_EQ(chain_code_distance(first, second), 0.0);
+        EXPECT_NEAR(chain_code_distance(first, other), chain_code_distance(second, other), 1e-12);
     }
 }
 
 TEST(MatchChainCodes, IsTheMeanOverMatchedAndLeftOverBranches) {
-    const auto all = many_skeletons();
+    const auto all = chain_code_skeletons();
     for (const auto& a : all) {
         for (const auto& b : all) {
             const Match match = match_chain_codes(a, b);
-            EXPECT_EQ(match.distance, distance(a, b));
+            EXPECT_EQ(match.distance, chain_code_distance(a, b));
             const auto& branches = match.correspondence.branches;
             if (a.branches.size() + b.branches.size() == 0) continue;
             double sum = 0.0;
@@ -77,13 +78,13 @@ TEST(MatchChainCodes, IsTheMeanOverMatchedAndLeftOverBranches) {
             EXPECT_NEAR(match.distance, (sum + left_over) / count, 1e-12);
             ChainCodeMatchOptions summed;
             summed.sum = true;
-            EXPECT_NEAR(distance(a, b, summed), sum + left_over, 1e-12);
+            EXPECT_NEAR(chain_code_distance(a, b, summed), sum + left_over, 1e-12);
         }
     }
 }
 
 TEST(MatchChainCodes, MatchesBranchesWhoseBothEndsAreMatched) {
-    const auto all = many_skeletons();
+    const auto all = chain_code_skeletons();
     for (const auto& a : all) {
         for (const auto& b : all) {
             const Correspondence c = match_chain_codes(a, b).correspondence;
@@ -122,8 +123,8 @@ TEST(MatchChainCodes, PutsPosesOfOneBodyCloserThanAnotherBody) {
     const auto standing = describe(test::human(0.3));
     const auto waving = describe(test::human(0.5));
     const auto animal = describe(test::four_leg(0.4));
-    EXPECT_LT(distance(standing, waving), distance(standing, animal));
+    EXPECT_LT(chain_code_distance(standing, waving), chain_code_distance(standing, animal));
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -6,12 +6,12 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 using test::describe;
 
-double distance(const SkeletonDescriptor& part, const SkeletonDescriptor& whole) {
+double part_distance(const SkeletonDescriptor& part, const SkeletonDescriptor& whole) {
     PartEdit edit;
     return part_distance(PartQuery(part), whole, edit);
 }
@@ -27,13 +27,13 @@ void add_arm(test::SkeletonBuilder& body, std::uint32_t shoulder, const Vec3& at
     }
 }
 
-SkeletonGraph arm() {
+skeleton::SkeletonGraph arm() {
     test::SkeletonBuilder body;
     add_arm(body, body.node(Vec3::Zero(), 7), Vec3::Zero(), 1.0);
     return body.graph();
 }
 
-SkeletonGraph body_with_arms() {
+skeleton::SkeletonGraph body_with_arms() {
     test::SkeletonBuilder body;
     const auto chest = body.node(Vec3(0, 0, 0), 7);
     const auto hips = body.node(Vec3(0, 0, -60), 12);
@@ -48,9 +48,10 @@ SkeletonGraph body_with_arms() {
 
 TEST(MatchPart, FindsASkeletonInItself) {
     std::mt19937 random(31);
-    for (const SkeletonGraph& graph : {test::human(0.3), test::four_leg(0.6), test::curve(), arm(),
-                                       test::random_skeleton(random, 14, 0)}) {
-        EXPECT_NEAR(distance(describe(graph), describe(graph)), 0.0, 1e-5);
+    for (const skeleton::SkeletonGraph& graph :
+         {test::human(0.3), test::four_leg(0.6), test::curve(), arm(),
+          test::random_skeleton(random, 14, 0)}) {
+        EXPECT_NEAR(part_distance(describe(graph), describe(graph)), 0.0, 1e-5);
     }
 }
 
@@ -58,11 +59,12 @@ TEST(MatchPart, FindsACutOffArmOfUnknownSizeInItsBody) {
     const SkeletonDescriptor whole = describe(body_with_arms(), 100.0);
     for (const double scale : {100.0, 60.0, 45.0, 33.0}) {
         // Between two candidate sizes it fits a little less well than at one.
-        EXPECT_LT(distance(describe(arm(), scale), whole), 0.3) << scale;
+        EXPECT_LT(part_distance(describe(arm(), scale), whole), 0.3) << scale;
     }
-    for (const SkeletonGraph& other : {test::octopus(0.4), test::four_leg(0.4), test::curve()}) {
-        EXPECT_GT(distance(describe(arm(), 60.0), describe(other)),
-                  distance(describe(arm(), 60.0), whole));
+    for (const skeleton::SkeletonGraph& other :
+         {test::octopus(0.4), test::four_leg(0.4), test::curve()}) {
+        EXPECT_GT(part_distance(describe(arm(), 60.0), describe(other)),
+                  part_distance(describe(arm(), 60.0), whole));
     }
 }
 
@@ -85,15 +87,15 @@ TEST(MatchPart, IsNoMatterOfPlaceTurningMirroringOrNumbering) {
     const Mat3 turn = Eigen::AngleAxisd(0.9, Vec3(1, -2, 1).normalized()).toRotationMatrix();
     const Mat3 mirror = Vec3(1, -1, 1).asDiagonal();
     const SkeletonDescriptor part = describe(arm(), 64.0);
-    const SkeletonGraph whole = body_with_arms();
-    const double expected = distance(part, describe(whole));
+    const skeleton::SkeletonGraph whole = body_with_arms();
+    const double expected = part_distance(part, describe(whole));
     for (const Mat3& linear : {turn, mirror}) {
-        const SkeletonGraph changed =
+        const skeleton::SkeletonGraph changed =
             test::moved(test::renumbered(whole, random), linear, Vec3(5, 6, 7), 2.0);
-        EXPECT_NEAR(distance(part, describe(changed, 200.0)), expected, 1e-3);
-        const SkeletonGraph other_part =
+        EXPECT_NEAR(part_distance(part, describe(changed, 200.0)), expected, 1e-3);
+        const skeleton::SkeletonGraph other_part =
             test::moved(test::renumbered(arm(), random), linear, Vec3(5, 6, 7), 3.0);
-        EXPECT_NEAR(distance(describe(other_part, 192.0), describe(whole)), expected, 1e-3);
+        EXPECT_NEAR(part_distance(describe(other_part, 192.0), describe(whole)), expected, 1e-3);
     }
 }
 
@@ -113,7 +115,7 @@ TEST(MatchPart, LetsAWholeHaveAnythingBesides) {
             whole.branches.push_back(std::move(branch));
         }
         derive_matching_data(whole);
-        EXPECT_NEAR(distance(part, whole), 0.0, 1e-5);
+        EXPECT_NEAR(part_distance(part, whole), 0.0, 1e-5);
     }
 }
 
@@ -129,17 +131,21 @@ TEST(MatchPart, ChargesASideLimbLittleAndMissingLimbsInFull) {
         return describe(body.graph(), 100.0);
     };
     const SkeletonDescriptor plain = rod(false, 0.0);
-    EXPECT_NEAR(distance(plain, rod(true, 60.0)), distance(plain, rod(true, 300.0)), 0.03);
-    EXPECT_LT(distance(plain, rod(true, 300.0)), 0.2);
-    EXPECT_GT(distance(rod(true, 60.0), plain), 0.2);
+    EXPECT_NEAR(part_distance(plain, rod(true, 60.0)), part_distance(plain, rod(true, 300.0)),
+                0.03);
+    EXPECT_LT(part_distance(plain, rod(true, 300.0)), 0.2);
+    EXPECT_GT(part_distance(rod(true, 60.0), plain), 0.2);
 }
 
 TEST(MatchPart, StaysBetweenZeroAndOneWithPartsThatAddUp) {
     std::mt19937 random(34);
-    std::vector<SkeletonDescriptor> all = {
-        describe(test::human(0.2)),      describe(test::cup()),     describe(test::ring()),
-        describe(test::point()),         describe(SkeletonGraph{}), describe(test::figure_eight()),
-        describe(test::two_components())};
+    std::vector<SkeletonDescriptor> all = {describe(test::human(0.2)),
+                                           describe(test::cup()),
+                                           describe(test::ring()),
+                                           describe(test::point()),
+                                           describe(skeleton::SkeletonGraph{}),
+                                           describe(test::figure_eight()),
+                                           describe(test::two_components())};
     for (int round = 0; round < 8; ++round) {
         all.push_back(describe(test::random_skeleton(random, 2 + 2 * round, round % 3)));
     }
@@ -173,10 +179,10 @@ TEST(MatchPart, StaysBetweenZeroAndOneWithPartsThatAddUp) {
 }
 
 TEST(MatchPart, FindsNothingEverywhereAndSomethingNowhereInNothing) {
-    EXPECT_EQ(distance(describe(SkeletonGraph{}), describe(test::human(0.5))), 0.0);
-    EXPECT_EQ(distance(describe(test::human(0.5)), describe(SkeletonGraph{})), 1.0);
-    EXPECT_NEAR(distance(describe(test::human(0.5)), describe(test::point())), 1.0, 1e-5);
+    EXPECT_EQ(part_distance(describe(skeleton::SkeletonGraph{}), describe(test::human(0.5))), 0.0);
+    EXPECT_EQ(part_distance(describe(test::human(0.5)), describe(skeleton::SkeletonGraph{})), 1.0);
+    EXPECT_NEAR(part_distance(describe(test::human(0.5)), describe(test::point())), 1.0, 1e-5);
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

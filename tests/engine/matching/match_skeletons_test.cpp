@@ -7,23 +7,23 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 using test::describe;
 
-double distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                const SkeletonMatchOptions& options = {}) {
+double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
+                         const SkeletonMatchOptions& options = {}) {
     SkeletonMatchWorkspace workspace;
     return skeleton_distance(a, b, options, workspace);
 }
 
 std::vector<SkeletonDescriptor> many_skeletons() {
     std::vector<SkeletonDescriptor> all;
-    for (const SkeletonGraph& graph :
+    for (const skeleton::SkeletonGraph& graph :
          {test::human(0.1), test::human(0.9), test::four_leg(0.2), test::four_leg(0.8),
           test::octopus(0.3), test::curve(), test::ring(), test::cup(), test::figure_eight(),
-          test::two_components(), test::point(), SkeletonGraph{}}) {
+          test::two_components(), test::point(), skeleton::SkeletonGraph{}}) {
         all.push_back(describe(graph));
     }
     std::mt19937 random(81);
@@ -36,8 +36,8 @@ std::vector<SkeletonDescriptor> many_skeletons() {
 TEST(MatchSkeletons, GivesZeroForASkeletonAndItselfOnly) {
     const auto all = many_skeletons();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        EXPECT_EQ(distance(all[i], all[i]), 0.0);
-        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(distance(all[i], all[j]), 1e-4);
+        EXPECT_EQ(skeleton_distance(all[i], all[i]), 0.0);
+        for (std::size_t j = 0; j < i; ++j) EXPECT_GT(skeleton_distance(all[i], all[j]), 1e-4);
     }
 }
 
@@ -45,9 +45,9 @@ TEST(MatchSkeletons, IsSymmetricBitByBitAndBounded) {
     const auto all = many_skeletons();
     for (const auto& a : all) {
         for (const auto& b : all) {
-            EXPECT_EQ(distance(a, b), distance(b, a));
-            EXPECT_GE(distance(a, b), 0.0);
-            EXPECT_LE(distance(a, b), 1.0);
+            EXPECT_EQ(skeleton_distance(a, b), skeleton_distance(b, a));
+            EXPECT_GE(skeleton_distance(a, b), 0.0);
+            EXPECT_LE(skeleton_distance(a, b), 1.0);
         }
     }
 }
@@ -73,12 +73,13 @@ TEST(MatchSkeletons, DoesNotDependOnNumberingOrDirectionOfBranches) {
     std::mt19937 random(82);
     const SkeletonDescriptor other = describe(test::human(0.4));
     for (int round = 0; round < 40; ++round) {
-        const SkeletonGraph graph = round % 2 == 0 ? test::four_leg(0.05 * round)
-                                                   : test::random_skeleton(random, 12, round % 3);
+        const skeleton::SkeletonGraph graph = round % 2 == 0
+                                                  ? test::four_leg(0.05 * round)
+                                                  : test::random_skeleton(random, 12, round % 3);
         const SkeletonDescriptor first = describe(graph);
         const SkeletonDescriptor second = describe(test::renumbered(graph, random));
-        EXPECT_NEAR(distance(first, second), 0.0, 2e-3);
-        EXPECT_NEAR(distance(first, other), distance(second, other), 2e-3);
+        EXPECT_NEAR(skeleton_distance(first, second), 0.0, 2e-3);
+        EXPECT_NEAR(skeleton_distance(first, other), skeleton_distance(second, other), 2e-3);
     }
 }
 
@@ -88,14 +89,14 @@ TEST(MatchSkeletons, DoesNotDependOnPlaceSizeOrMirroring) {
     const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
     const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
     for (int round = 0; round < 30; ++round) {
-        const SkeletonGraph graph = test::random_skeleton(random, 12, round % 3);
+        const skeleton::SkeletonGraph graph = test::random_skeleton(random, 12, round % 3);
         const SkeletonDescriptor first = describe(graph);
         const double scale = 0.3 + 0.1 * round;
         for (const Mat3& linear : {Mat3(Mat3::Identity()), turn, mirror}) {
             const SkeletonDescriptor second =
                 describe(test::moved(graph, linear, Vec3(7, -30, 2), scale), 100.0 * scale);
-            EXPECT_NEAR(distance(first, second), 0.0, 2e-3);
-            EXPECT_NEAR(distance(first, other), distance(second, other), 2e-3);
+            EXPECT_NEAR(skeleton_distance(first, second), 0.0, 2e-3);
+            EXPECT_NEAR(skeleton_distance(first, other), skeleton_distance(second, other), 2e-3);
         }
     }
 }
@@ -105,11 +106,14 @@ TEST(MatchSkeletons, PutsPosesOfOneBodyCloserThanAnotherBody) {
     double farthest_within = 0.0, nearest_across = 1.0;
     for (const double p : poses) {
         for (const double q : poses) {
-            const auto people = distance(describe(test::human(p)), describe(test::human(q)));
-            const auto animals = distance(describe(test::four_leg(p)), describe(test::four_leg(q)));
+            const auto people =
+                skeleton_distance(describe(test::human(p)), describe(test::human(q)));
+            const auto animals =
+                skeleton_distance(describe(test::four_leg(p)), describe(test::four_leg(q)));
             farthest_within = std::max({farthest_within, people, animals});
-            nearest_across = std::min(
-                nearest_across, distance(describe(test::human(p)), describe(test::four_leg(q))));
+            nearest_across =
+                std::min(nearest_across,
+                         skeleton_distance(describe(test::human(p)), describe(test::four_leg(q))));
         }
     }
     EXPECT_LT(2.0 * farthest_within, nearest_across);
@@ -120,15 +124,15 @@ TEST(MatchSkeletons, CountsDirectionsAsMuchAsPoseSays) {
     const SkeletonDescriptor bent = describe(test::octopus(1.0));
     SkeletonMatchOptions options;
     options.pose = 0.0;
-    const double build = distance(stretched, bent, options);
+    const double build = skeleton_distance(stretched, bent, options);
     options.pose = 1.0;
-    EXPECT_GT(distance(stretched, bent, options), build);
+    EXPECT_GT(skeleton_distance(stretched, bent, options), build);
 }
 
 TEST(MatchSkeletons, FindsTheLimbsOfARenumberedAnimal) {
     std::mt19937 random(84);
-    const SkeletonGraph graph = test::random_skeleton(random, 15, 0);
-    const SkeletonGraph copy = test::renumbered(graph, random);
+    const skeleton::SkeletonGraph graph = test::random_skeleton(random, 15, 0);
+    const skeleton::SkeletonGraph copy = test::renumbered(graph, random);
     const Match match = match_skeletons(describe(graph), describe(copy));
     EXPECT_EQ(match.correspondence.nodes.size(), graph.nodes.size());
     EXPECT_EQ(match.correspondence.branches.size(), graph.branches.size());
@@ -203,12 +207,12 @@ TEST(MatchSkeletons, MapsBothHalvesOfACycleToItsBranch) {
 }
 
 TEST(MatchSkeletons, TellsAPointFromNothingAndNothingFromSomething) {
-    const auto nothing = describe(SkeletonGraph{});
-    EXPECT_EQ(distance(nothing, nothing), 0.0);
-    EXPECT_GT(distance(nothing, describe(test::point())), 0.5);
-    EXPECT_GT(distance(nothing, describe(test::human(0.5))), 0.5);
-    EXPECT_GT(distance(describe(test::point()), describe(test::human(0.5))), 0.3);
+    const auto nothing = describe(skeleton::SkeletonGraph{});
+    EXPECT_EQ(skeleton_distance(nothing, nothing), 0.0);
+    EXPECT_GT(skeleton_distance(nothing, describe(test::point())), 0.5);
+    EXPECT_GT(skeleton_distance(nothing, describe(test::human(0.5))), 0.5);
+    EXPECT_GT(skeleton_distance(describe(test::point()), describe(test::human(0.5))), 0.3);
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

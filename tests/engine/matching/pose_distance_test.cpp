@@ -4,13 +4,13 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 using test::describe;
 
 /// A trunk with two straight arms and two straight legs; each arm is raised by an angle.
-SkeletonGraph figure(double left, double right) {
+skeleton::SkeletonGraph figure(double left, double right) {
     test::SkeletonBuilder body;
     const auto chest = body.node(Vec3(0, 0, 50), 9);
     const auto hips = body.node(Vec3(0, 0, 0), 10);
@@ -25,40 +25,40 @@ SkeletonGraph figure(double left, double right) {
     return body.graph();
 }
 
-double distance(const SkeletonGraph& a, const SkeletonGraph& b) {
+double pose_distance_of(const skeleton::SkeletonGraph& a, const skeleton::SkeletonGraph& b) {
     return pose_distance(describe(a), describe(b));
 }
 
 TEST(PoseDistance, SeesHowLimbsAreHeldWhichBranchesInTheirOwnFramesDoNot) {
-    const SkeletonGraph down = figure(-1.2, -1.2);
+    const skeleton::SkeletonGraph down = figure(-1.2, -1.2);
     SkeletonMatchOptions options;
     options.pose = 1.0;
     SkeletonMatchWorkspace workspace;
     double last = 0.0;
     for (const double raised : {-0.6, 0.0, 0.6, 1.2}) {
-        const SkeletonGraph other = figure(-1.2, raised);
+        const skeleton::SkeletonGraph other = figure(-1.2, raised);
         EXPECT_NEAR(skeleton_distance(describe(down), describe(other), options, workspace), 0.0,
                     0.01);
-        EXPECT_GT(distance(down, other), last + 0.005);
-        last = distance(down, other);
+        EXPECT_GT(pose_distance_of(down, other), last + 0.005);
+        last = pose_distance_of(down, other);
     }
 }
 
 TEST(PoseDistance, TakesAMirroredPoseForTheSame) {
-    EXPECT_NEAR(distance(figure(-1.2, 0.9), figure(0.9, -1.2)), 0.0, 1e-3);
-    EXPECT_GT(distance(figure(-1.2, -1.2), figure(0.9, -1.2)), 0.02);
+    EXPECT_NEAR(pose_distance_of(figure(-1.2, 0.9), figure(0.9, -1.2)), 0.0, 1e-3);
+    EXPECT_GT(pose_distance_of(figure(-1.2, -1.2), figure(0.9, -1.2)), 0.02);
 }
 
 TEST(PoseDistance, IsNoMatterOfPlaceSizeTurningOrNumbering) {
     std::mt19937 random(41);
     const Mat3 turn = Eigen::AngleAxisd(2.0, Vec3(1, 1, -3).normalized()).toRotationMatrix();
     const Mat3 mirror = Vec3(1, 1, -1).asDiagonal();
-    const SkeletonGraph a = test::human(0.2);
-    const SkeletonGraph b = test::human(0.9);
-    const double expected = distance(a, b);
+    const skeleton::SkeletonGraph a = test::human(0.2);
+    const skeleton::SkeletonGraph b = test::human(0.9);
+    const double expected = pose_distance_of(a, b);
     EXPECT_GT(expected, 0.01);
     for (const Mat3& linear : {turn, mirror}) {
-        const SkeletonGraph moved =
+        const skeleton::SkeletonGraph moved =
             test::moved(test::renumbered(b, random), linear, Vec3(3, 2, 1), 2.5);
         EXPECT_NEAR(pose_distance(describe(a), describe(moved, 250.0)), expected, 2e-3);
     }
@@ -67,8 +67,9 @@ TEST(PoseDistance, IsNoMatterOfPlaceSizeTurningOrNumbering) {
 TEST(PoseDistance, IsSymmetricBitByBitBoundedAndZeroForEqualSkeletons) {
     std::mt19937 random(42);
     std::vector<SkeletonDescriptor> all = {
-        describe(test::cup()),     describe(test::ring()),     describe(test::point()),
-        describe(SkeletonGraph{}), describe(test::human(0.4)), describe(test::four_leg(0.7))};
+        describe(test::cup()),      describe(test::ring()),
+        describe(test::point()),    describe(skeleton::SkeletonGraph{}),
+        describe(test::human(0.4)), describe(test::four_leg(0.7))};
     for (int round = 0; round < 12; ++round) {
         all.push_back(describe(test::random_skeleton(random, 2 + round, round % 3)));
     }
@@ -83,4 +84,4 @@ TEST(PoseDistance, IsSymmetricBitByBitBoundedAndZeroForEqualSkeletons) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

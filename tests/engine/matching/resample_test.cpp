@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 TEST(Resample, SpacesPointsEvenlyAndKeepsBothEnds) {
@@ -52,4 +52,4 @@ TEST(ResamplePart, CutsAtTheShareOfTheLength) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

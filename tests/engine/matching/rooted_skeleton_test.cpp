@@ -7,7 +7,7 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 double total_length(const SkeletonDescriptor& descriptor) {
@@ -52,7 +52,7 @@ void expect_sound(const SkeletonDescriptor& descriptor) {
 
 TEST(RootedSkeleton, KeepsEveryNodeAndAllLengthOfAnySkeleton) {
     std::mt19937 random(61);
-    for (const SkeletonGraph& graph :
+    for (const skeleton::SkeletonGraph& graph :
          {test::human(0.3), test::four_leg(0.6), test::octopus(0.2), test::curve(), test::ring(),
           test::cup(), test::figure_eight(), test::two_components(), test::point()}) {
         expect_sound(test::describe(graph));
@@ -63,7 +63,7 @@ TEST(RootedSkeleton, KeepsEveryNodeAndAllLengthOfAnySkeleton) {
 }
 
 TEST(RootedSkeleton, OfNothingHasNoTrees) {
-    EXPECT_TRUE(test::describe(SkeletonGraph{}).rooted.trees.empty());
+    EXPECT_TRUE(test::describe(skeleton::SkeletonGraph{}).rooted.trees.empty());
 }
 
 TEST(RootedSkeleton, HangsAnOctopusUpAtItsBody) {
@@ -160,4 +160,4 @@ TEST(RootedSkeleton, FollowsFromTheStoredFieldsAloneBitByBit) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

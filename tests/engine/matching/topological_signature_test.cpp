@@ -7,7 +7,7 @@
 
 #include "tests/engine/matching/built_skeletons.h"
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -73,4 +73,4 @@ TEST(SignatureTree, HangsOtherComponentsBelowTheRootWithoutABranch) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

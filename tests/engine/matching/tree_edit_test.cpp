@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::matching {
 namespace {
 
 using Parents = std::vector<std::uint32_t>;
@@ -201,4 +201,4 @@ TEST(TreeEdit, ComparesTreesThatShareSubtreesLikeTreesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::matching

@@ -18,30 +18,30 @@ void shuffle(std::vector<Index>& order, std::mt19937_64& random) {
 
 }  // namespace
 
-TriangleMesh with_faces(TriangleMesh mesh) {
+mesh::TriangleMesh with_faces(mesh::TriangleMesh mesh) {
     mesh.face_count = static_cast<Index>(mesh.triangles.size());
     mesh.face_of_triangle.resize(mesh.triangles.size());
     std::iota(mesh.face_of_triangle.begin(), mesh.face_of_triangle.end(), 0u);
     return mesh;
 }
 
-TriangleMesh cube_mesh(double side) {
-    TriangleMesh mesh;
+mesh::TriangleMesh cube_mesh(double side) {
+    mesh::TriangleMesh mesh;
     for (int i = 0; i < 8; ++i) mesh.vertices.push_back(side * Vec3(i & 1, i >> 1 & 1, i >> 2));
     mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                       {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return with_faces(mesh);
 }
 
-TriangleMesh corner_tetrahedron() {
-    TriangleMesh mesh;
+mesh::TriangleMesh corner_tetrahedron() {
+    mesh::TriangleMesh mesh;
     mesh.vertices = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     return with_faces(mesh);
 }
 
-TriangleMesh sphere_mesh(int levels) {
-    TriangleMesh mesh;
+mesh::TriangleMesh sphere_mesh(int levels) {
+    mesh::TriangleMesh mesh;
     for (int axis = 0; axis < 3; ++axis) {
         mesh.vertices.push_back(Vec3::Unit(axis));
         mesh.vertices.push_back(-Vec3::Unit(axis));
@@ -56,7 +56,7 @@ TriangleMesh sphere_mesh(int levels) {
             if (fresh) mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]).normalized());
             return at->second;
         };
-        std::vector<TriangleMesh::Triangle> finer;
+        std::vector<mesh::TriangleMesh::Triangle> finer;
         for (const auto& [a, b, c] : mesh.triangles) {
             const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
             finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
@@ -66,8 +66,8 @@ TriangleMesh sphere_mesh(int levels) {
     return with_faces(mesh);
 }
 
-TriangleMesh torus_mesh(int around, int across, double major, double minor) {
-    TriangleMesh mesh;
+mesh::TriangleMesh torus_mesh(int around, int across, double major, double minor) {
+    mesh::TriangleMesh mesh;
     for (int i = 0; i < around; ++i) {
         const double u = 2 * std::numbers::pi * i / around;
         for (int j = 0; j < across; ++j) {
@@ -86,8 +86,8 @@ TriangleMesh torus_mesh(int around, int across, double major, double minor) {
     return with_faces(mesh);
 }
 
-TriangleMesh square_mesh(int cells) {
-    TriangleMesh mesh;
+mesh::TriangleMesh square_mesh(int cells) {
+    mesh::TriangleMesh mesh;
     for (int y = 0; y <= cells; ++y) {
         for (int x = 0; x <= cells; ++x) {
             mesh.vertices.emplace_back(double(x) / cells, double(y) / cells, 0);
@@ -103,8 +103,8 @@ TriangleMesh square_mesh(int cells) {
     return with_faces(mesh);
 }
 
-TriangleMesh moebius_mesh(int segments) {
-    TriangleMesh mesh;
+mesh::TriangleMesh moebius_mesh(int segments) {
+    mesh::TriangleMesh mesh;
     for (int i = 0; i < segments; ++i) {
         const double u = 2 * std::numbers::pi * i / segments;
         for (const double w : {-0.3, 0.3}) {
@@ -122,18 +122,18 @@ TriangleMesh moebius_mesh(int segments) {
     return with_faces(mesh);
 }
 
-TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh mesh = a;
+mesh::TriangleMesh joined(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    mesh::TriangleMesh mesh = a;
     mesh.vertices.insert(mesh.vertices.end(), b.vertices.begin(), b.vertices.end());
-    for (TriangleMesh::Triangle triangle : b.triangles) {
+    for (mesh::TriangleMesh::Triangle triangle : b.triangles) {
         for (Index& vertex : triangle) vertex += Index(a.vertices.size());
         mesh.triangles.push_back(triangle);
     }
     return with_faces(mesh);
 }
 
-TriangleMesh as_soup(const TriangleMesh& mesh) {
-    TriangleMesh soup;
+mesh::TriangleMesh as_soup(const mesh::TriangleMesh& mesh) {
+    mesh::TriangleMesh soup;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         for (const Vec3& corner : mesh.corners(t)) soup.vertices.push_back(corner);
         const auto first = Index(3 * t);
@@ -142,7 +142,7 @@ TriangleMesh as_soup(const TriangleMesh& mesh) {
     return with_faces(soup);
 }
 
-TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
+mesh::TriangleMesh renumbered(const mesh::TriangleMesh& mesh, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::vector<Index> place(mesh.vertices.size());
     std::iota(place.begin(), place.end(), 0u);
@@ -150,21 +150,21 @@ TriangleMesh renumbered(const TriangleMesh& mesh, std::uint64_t seed) {
     std::vector<Index> order(mesh.triangles.size());
     std::iota(order.begin(), order.end(), 0u);
     shuffle(order, random);
-    TriangleMesh result;
+    mesh::TriangleMesh result;
     result.vertices.resize(mesh.vertices.size());
     for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = mesh.vertices[v];
     for (const Index t : order) {
         const std::size_t turn = random() % 3;
-        TriangleMesh::Triangle triangle{};
+        mesh::TriangleMesh::Triangle triangle{};
         for (std::size_t i = 0; i < 3; ++i) triangle[i] = place[mesh.triangles[t][(i + turn) % 3]];
         result.triangles.push_back(triangle);
     }
     return with_faces(result);
 }
 
-TriangleMesh moved(const TriangleMesh& mesh, const Mat3& rotation, double scale,
-                   const Vec3& shift) {
-    TriangleMesh result = mesh;
+mesh::TriangleMesh moved(const mesh::TriangleMesh& mesh, const Mat3& rotation, double scale,
+                         const Vec3& shift) {
+    mesh::TriangleMesh result = mesh;
     for (Vec3& vertex : result.vertices) vertex = scale * (rotation * vertex) + shift;
     return result;
 }

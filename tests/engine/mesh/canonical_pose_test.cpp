@@ -4,7 +4,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::mesh {
 namespace {
 
 // Three bars of different length that meet in a corner: no symmetry, well separated axes.
@@ -63,4 +63,4 @@ TEST(CanonicalPose, IsOrthonormalForWhateverHasNoAxesOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::mesh

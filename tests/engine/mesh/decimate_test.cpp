@@ -12,8 +12,8 @@
 namespace ossuary::test {
 namespace {
 
-void expect_sound(const TriangleMesh& mesh) {
-    EXPECT_EQ(inspect(mesh).unreferenced_vertices, 0u);
+void expect_sound(const mesh::TriangleMesh& mesh) {
+    EXPECT_EQ(mesh::inspect(mesh).unreferenced_vertices, 0u);
     EXPECT_EQ(mesh.face_count, mesh.triangles.size());
     EXPECT_EQ(mesh.face_of_triangle.size(), mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) {
@@ -23,9 +23,9 @@ void expect_sound(const TriangleMesh& mesh) {
 }
 
 /// A cloud of small separate tetrahedra: no edge collapse can join them.
-TriangleMesh cloud_of_pieces(int pieces) {
+mesh::TriangleMesh cloud_of_pieces(int pieces) {
     std::mt19937_64 random(15);
-    TriangleMesh cloud;
+    mesh::TriangleMesh cloud;
     for (int i = 0; i < pieces; ++i) {
         const Vec3 shift(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1));
         cloud = joined(cloud, moved(corner_tetrahedron(), some_rotation(), 0.02, shift));
@@ -34,31 +34,31 @@ TriangleMesh cloud_of_pieces(int pieces) {
 }
 
 TEST(Decimate, KeepsMeshesThatAreSmallEnough) {
-    const TriangleMesh cube = decimate(cube_mesh());
+    const mesh::TriangleMesh cube = mesh::decimate(cube_mesh());
     EXPECT_EQ(cube.triangles.size(), 12u);
     EXPECT_EQ(cube.vertices.size(), 8u);
-    EXPECT_TRUE(decimate(TriangleMesh{}).empty());
+    EXPECT_TRUE(mesh::decimate(mesh::TriangleMesh{}).empty());
 }
 
 TEST(Decimate, ReachesTheBoundWithShapeAndTopology) {
     for (const std::size_t bound : {2000u, 500u, 100u}) {
-        DecimateOptions options;
+        mesh::DecimateOptions options;
         options.max_triangles = bound;
-        const TriangleMesh fine = torus_mesh(40, 40);
-        const TriangleMesh coarse = decimate(fine, options);
+        const mesh::TriangleMesh fine = torus_mesh(40, 40);
+        const mesh::TriangleMesh coarse = mesh::decimate(fine, options);
         EXPECT_LE(coarse.triangles.size(), bound);
         EXPECT_GE(coarse.triangles.size(), bound / 2);
         expect_sound(coarse);
-        EXPECT_NEAR(measure(coarse).surface_area, measure(fine).surface_area,
-                    0.15 * measure(fine).surface_area);
-        EXPECT_TRUE(inspect(coarse).closed);
+        EXPECT_NEAR(mesh::measure(coarse).surface_area, mesh::measure(fine).surface_area,
+                    0.15 * mesh::measure(fine).surface_area);
+        EXPECT_TRUE(mesh::inspect(coarse).closed);
     }
 }
 
 TEST(Decimate, ReachesTheBoundOnHugeMeshes) {
-    const TriangleMesh fine = sphere_mesh(6);
+    const mesh::TriangleMesh fine = sphere_mesh(6);
     ASSERT_EQ(fine.triangles.size(), 32768u);
-    const TriangleMesh coarse = decimate(fine);
+    const mesh::TriangleMesh coarse = mesh::decimate(fine);
     EXPECT_LE(coarse.triangles.size(), 2000u);
     EXPECT_GE(coarse.triangles.size(), 1500u);
     expect_sound(coarse);
@@ -66,34 +66,36 @@ TEST(Decimate, ReachesTheBoundOnHugeMeshes) {
 }
 
 TEST(Decimate, ReachesTheBoundOnSoups) {
-    const TriangleMesh cloud = cloud_of_pieces(1000);
-    DecimateOptions options;
+    const mesh::TriangleMesh cloud = cloud_of_pieces(1000);
+    mesh::DecimateOptions options;
     options.max_triangles = 600;
-    const TriangleMesh coarse = decimate(cloud, options);
+    const mesh::TriangleMesh coarse = mesh::decimate(cloud, options);
     EXPECT_LE(coarse.triangles.size(), 600u);
     EXPECT_GE(coarse.triangles.size(), 60u);
     expect_sound(coarse);
-    EXPECT_LT((measure(coarse).bounds.sizes() - measure(cloud).bounds.sizes()).norm(), 0.25);
+    EXPECT_LT((mesh::measure(coarse).bounds.sizes() - mesh::measure(cloud).bounds.sizes()).norm(),
+              0.25);
 
-    const TriangleMesh loose = as_soup(sphere_mesh(5));
+    const mesh::TriangleMesh loose = as_soup(sphere_mesh(5));
     options.max_triangles = 1000;
-    EXPECT_LE(decimate(loose, options).triangles.size(), 1000u);
-    EXPECT_TRUE(inspect(decimate(loose, options)).closed) << "coincident vertices are welded first";
+    EXPECT_LE(mesh::decimate(loose, options).triangles.size(), 1000u);
+    EXPECT_TRUE(mesh::inspect(mesh::decimate(loose, options)).closed)
+        << "coincident vertices are welded first";
 }
 
 TEST(Decimate, GivesTheSameBytesTwice) {
-    const TriangleMesh mesh = joined(cloud_of_pieces(100), torus_mesh(60, 30));
-    DecimateOptions options;
+    const mesh::TriangleMesh mesh = joined(cloud_of_pieces(100), torus_mesh(60, 30));
+    mesh::DecimateOptions options;
     options.max_triangles = 700;
-    const TriangleMesh a = decimate(mesh, options);
-    const TriangleMesh b = decimate(mesh, options);
+    const mesh::TriangleMesh a = mesh::decimate(mesh, options);
+    const mesh::TriangleMesh b = mesh::decimate(mesh, options);
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
 }
 
 TEST(ClusterVertices, NeverLeavesMoreThanAskedFor) {
     for (const std::size_t bound : {0u, 1u, 7u, 50u, 999u}) {
-        const TriangleMesh coarse = cluster_vertices(torus_mesh(50, 40), bound);
+        const mesh::TriangleMesh coarse = mesh::cluster_vertices(torus_mesh(50, 40), bound);
         EXPECT_LE(coarse.triangles.size(), bound);
         EXPECT_GE(coarse.triangles.size(), bound >= 500 ? bound / 2 : 0);
         for (const auto& triangle : coarse.triangles) {
@@ -103,11 +105,11 @@ TEST(ClusterVertices, NeverLeavesMoreThanAskedFor) {
 }
 
 TEST(ClusterVertices, TakesMeshesWithoutExtent) {
-    EXPECT_TRUE(cluster_vertices(TriangleMesh{}, 10).empty());
-    TriangleMesh point;
+    EXPECT_TRUE(mesh::cluster_vertices(mesh::TriangleMesh{}, 10).empty());
+    mesh::TriangleMesh point;
     point.vertices.assign(3, Vec3(1, 2, 3));
     point.triangles = {{0, 1, 2}};
-    EXPECT_TRUE(cluster_vertices(point, 0).empty());
+    EXPECT_TRUE(mesh::cluster_vertices(point, 0).empty());
 }
 
 TEST(Decimate, ReachesTheBoundOnBenchmarkModels) {
@@ -115,14 +117,14 @@ TEST(Decimate, ReachesTheBoundOnBenchmarkModels) {
     for (const char* name :
          {"princeton-segmentation/off/61.off", "princeton-segmentation/off/305.off",
           "princeton-shape-train/off/m1544.off"}) {
-        const auto read = read_mesh(data / name);
+        const auto read = mesh::read_mesh(data / name);
         ASSERT_TRUE(read) << read.error().message;
-        const TriangleMesh coarse = decimate(read->mesh);
+        const mesh::TriangleMesh coarse = mesh::decimate(read->mesh);
         EXPECT_LE(coarse.triangles.size(), 2000u) << name;
         EXPECT_GE(coarse.triangles.size(), 1000u) << name;
         expect_sound(coarse);
-        EXPECT_NEAR(measure(coarse).diagonal, measure(read->mesh).diagonal,
-                    0.05 * measure(read->mesh).diagonal);
+        EXPECT_NEAR(mesh::measure(coarse).diagonal, mesh::measure(read->mesh).diagonal,
+                    0.05 * mesh::measure(read->mesh).diagonal);
     }
 }
 

@@ -8,17 +8,17 @@ namespace ossuary::test {
 namespace {
 
 TEST(Inspect, KnowsTheGenusOfClosedSurfaces) {
-    EXPECT_EQ(inspect(cube_mesh()).genus, 0);
-    EXPECT_EQ(inspect(sphere_mesh()).genus, 0);
-    EXPECT_EQ(inspect(torus_mesh()).genus, 1);
-    const MeshReport two = inspect(joined(torus_mesh(), torus_mesh()));
+    EXPECT_EQ(mesh::inspect(cube_mesh()).genus, 0);
+    EXPECT_EQ(mesh::inspect(sphere_mesh()).genus, 0);
+    EXPECT_EQ(mesh::inspect(torus_mesh()).genus, 1);
+    const mesh::MeshReport two = mesh::inspect(joined(torus_mesh(), torus_mesh()));
     EXPECT_EQ(two.components, 2u);
     EXPECT_EQ(two.genus, 2);
     EXPECT_EQ(two.euler_characteristic, 0);
 }
 
 TEST(Inspect, CountsTheElementsOfACube) {
-    const MeshReport report = inspect(cube_mesh());
+    const mesh::MeshReport report = mesh::inspect(cube_mesh());
     EXPECT_EQ(report.vertices, 8u);
     EXPECT_EQ(report.edges, 18u);
     EXPECT_EQ(report.triangles, 12u);
@@ -27,7 +27,7 @@ TEST(Inspect, CountsTheElementsOfACube) {
 }
 
 TEST(Inspect, CountsTheBoundaryOfAnOpenSurface) {
-    const MeshReport report = inspect(square_mesh(5));
+    const mesh::MeshReport report = mesh::inspect(square_mesh(5));
     EXPECT_FALSE(report.closed);
     EXPECT_TRUE(report.manifold);
     EXPECT_EQ(report.boundary_edges, 20u);
@@ -36,24 +36,24 @@ TEST(Inspect, CountsTheBoundaryOfAnOpenSurface) {
 }
 
 TEST(Inspect, SeesASoupAsLooseTriangles) {
-    const MeshReport report = inspect(as_soup(cube_mesh()));
+    const mesh::MeshReport report = mesh::inspect(as_soup(cube_mesh()));
     EXPECT_EQ(report.components, 12u);
     EXPECT_EQ(report.boundary_edges, 36u);
 }
 
 TEST(Inspect, FindsNonManifoldEdgesAndVertices) {
-    TriangleMesh fin = cube_mesh();
+    mesh::TriangleMesh fin = cube_mesh();
     fin.vertices.emplace_back(-1, -1, 0.5);
     fin.triangles.push_back({0, 4, 8});
-    const MeshReport edge = inspect(fin);
+    const mesh::MeshReport edge = mesh::inspect(fin);
     EXPECT_EQ(edge.non_manifold_edges, 1u);
     EXPECT_FALSE(edge.edge_manifold || edge.manifold);
 
-    TriangleMesh tips = joined(corner_tetrahedron(), corner_tetrahedron());
+    mesh::TriangleMesh tips = joined(corner_tetrahedron(), corner_tetrahedron());
     for (auto& triangle : tips.triangles) {
         for (auto& vertex : triangle) vertex = vertex == 4 ? 0 : vertex;
     }
-    const MeshReport vertex = inspect(tips);
+    const mesh::MeshReport vertex = mesh::inspect(tips);
     EXPECT_EQ(vertex.non_manifold_edges, 0u);
     EXPECT_EQ(vertex.non_manifold_vertices, 1u);
     EXPECT_EQ(vertex.components, 1u);
@@ -63,34 +63,34 @@ TEST(Inspect, FindsNonManifoldEdgesAndVertices) {
 }
 
 TEST(Inspect, FindsEachTriangleThatIsTurnedOver) {
-    TriangleMesh mesh = sphere_mesh();
+    mesh::TriangleMesh mesh = sphere_mesh();
     std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
-    const MeshReport report = inspect(mesh);
+    const mesh::MeshReport report = mesh::inspect(mesh);
     EXPECT_EQ(report.misoriented_edges, 3u);
     EXPECT_FALSE(report.oriented);
     EXPECT_TRUE(report.closed);
     // No way of turning helps a Moebius band.
-    EXPECT_GT(inspect(moebius_mesh()).misoriented_edges, 0u);
+    EXPECT_GT(mesh::inspect(moebius_mesh()).misoriented_edges, 0u);
 }
 
 TEST(Inspect, CountsDegenerateFacesOfAPolygonOnce) {
-    TriangleMesh mesh = cube_mesh();
+    mesh::TriangleMesh mesh = cube_mesh();
     mesh.triangles.push_back({1, 1, 2});
     mesh.triangles.push_back({3, 3, 3});
     mesh.face_of_triangle.insert(mesh.face_of_triangle.end(), {12, 12});
     mesh.face_count = 13;
-    const MeshReport report = inspect(mesh);
+    const mesh::MeshReport report = mesh::inspect(mesh);
     EXPECT_EQ(report.degenerate_faces, 1u);
     EXPECT_TRUE(report.closed) << "triangles that name a vertex twice have no edges";
     EXPECT_EQ(report.euler_characteristic, 2);
 }
 
 TEST(Inspect, DoesNotDependOnNumbering) {
-    TriangleMesh mesh = joined(torus_mesh(8, 6), as_soup(cube_mesh()));
+    mesh::TriangleMesh mesh = joined(torus_mesh(8, 6), as_soup(cube_mesh()));
     mesh.triangles.push_back({0, 1, 40});
     mesh = with_faces(mesh);
-    const MeshReport a = inspect(mesh);
-    const MeshReport b = inspect(renumbered(mesh, 11));
+    const mesh::MeshReport a = mesh::inspect(mesh);
+    const mesh::MeshReport b = mesh::inspect(renumbered(mesh, 11));
     EXPECT_EQ(a.edges, b.edges);
     EXPECT_EQ(a.boundary_edges, b.boundary_edges);
     EXPECT_EQ(a.non_manifold_edges, b.non_manifold_edges);
@@ -101,15 +101,15 @@ TEST(Inspect, DoesNotDependOnNumbering) {
 }
 
 TEST(Inspect, TakesAnEmptyMesh) {
-    const MeshReport report = inspect(TriangleMesh{});
+    const mesh::MeshReport report = mesh::inspect(mesh::TriangleMesh{});
     EXPECT_FALSE(report.closed);
     EXPECT_EQ(report.components, 0u);
-    ASSERT_EQ(surface_warnings(TriangleMesh{}).size(), 1u);
-    EXPECT_EQ(surface_warnings(TriangleMesh{})[0].code, "no_triangles");
+    ASSERT_EQ(mesh::surface_warnings(mesh::TriangleMesh{}).size(), 1u);
+    EXPECT_EQ(mesh::surface_warnings(mesh::TriangleMesh{})[0].code, "no_triangles");
 }
 
 TEST(SurfaceWarnings, SayNothingOfASoundSurface) {
-    EXPECT_TRUE(surface_warnings(torus_mesh()).empty());
+    EXPECT_TRUE(mesh::surface_warnings(torus_mesh()).empty());
 }
 
 }  // namespace

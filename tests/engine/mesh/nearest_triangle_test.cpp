@@ -8,7 +8,7 @@
 
 #include "engine/mesh/vertex_normals.h"
 
-namespace ossuary {
+namespace ossuary::mesh {
 namespace {
 
 /// In [-1, 1), the same on every platform.
@@ -96,4 +96,4 @@ TEST(NearestTriangle, OfSheetsThatLieTogetherTheOneThatFacesTheSameWayWins) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::mesh

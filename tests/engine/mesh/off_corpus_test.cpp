@@ -9,9 +9,9 @@
 namespace ossuary::test {
 namespace {
 
-std::map<std::string, std::size_t> counted(const std::vector<MeshWarning>& warnings) {
+std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings) {
     std::map<std::string, std::size_t> counts;
-    for (const MeshWarning& warning : warnings) counts[warning.code] += warning.count;
+    for (const mesh::MeshWarning& warning : warnings) counts[warning.code] += warning.count;
     return counts;
 }
 
@@ -21,9 +21,9 @@ class OffCorpusGood : public testing::TestWithParam<OffCase> {};
 
 TEST_P(OffCorpusGood, IsReadAsExpected) {
     const OffCase& expected = GetParam();
-    const Result<ReadMeshResult> read = read_mesh(expected.bytes, expected.name);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(expected.bytes, expected.name);
     ASSERT_TRUE(read) << read.error().message;
-    const TriangleMesh& mesh = read->mesh;
+    const mesh::TriangleMesh& mesh = read->mesh;
     EXPECT_EQ(mesh.vertices.size(), expected.vertices);
     EXPECT_EQ(mesh.face_count, expected.faces);
     EXPECT_EQ(mesh.triangles.size(), expected.triangles);
@@ -37,9 +37,9 @@ TEST_P(OffCorpusGood, IsReadAsExpected) {
 }
 
 TEST_P(OffCorpusGood, ComesBackTheSameAfterWriting) {
-    const Result<ReadMeshResult> read = read_mesh(GetParam().bytes, "original");
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(GetParam().bytes, "original");
     ASSERT_TRUE(read) << read.error().message;
-    const Result<ReadMeshResult> again = read_mesh(to_off(read->mesh), "written");
+    const Result<mesh::ReadMeshResult> again = mesh::read_mesh(mesh::to_off(read->mesh), "written");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->mesh.triangles, read->mesh.triangles);
     EXPECT_EQ(again->mesh.vertices, read->mesh.vertices);
@@ -51,7 +51,7 @@ class OffCorpusBad : public testing::TestWithParam<OffCase> {};
 
 TEST_P(OffCorpusBad, IsRefusedAsExpected) {
     const OffCase& expected = GetParam();
-    const Result<ReadMeshResult> read = read_mesh(expected.bytes, "folder/model.off");
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(expected.bytes, "folder/model.off");
     ASSERT_FALSE(read);
     const std::string& message = read.error().message;
     EXPECT_EQ(to_string(read.error().code), expected.code) << message;
@@ -83,10 +83,11 @@ std::string with_newlines(const std::string& text, const std::string& newline) {
 
 TEST_P(OffCorpusGood, MeansTheSameWithOtherLineEndsAndComments) {
     const std::string& bytes = GetParam().bytes;
-    const Result<ReadMeshResult> read = read_mesh(bytes, "original");
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(bytes, "original");
     ASSERT_TRUE(read) << read.error().message;
     for (const std::string newline : {"\n", "\r\n", "\r", "\n\n", " \n", " # 1 2 3 OFF\n"}) {
-        const Result<ReadMeshResult> other = read_mesh(with_newlines(bytes, newline), "variant");
+        const Result<mesh::ReadMeshResult> other =
+            mesh::read_mesh(with_newlines(bytes, newline), "variant");
         ASSERT_TRUE(other) << other.error().message;
         EXPECT_EQ(other->mesh.vertices, read->mesh.vertices);
         EXPECT_EQ(other->mesh.triangles, read->mesh.triangles);
@@ -95,29 +96,29 @@ TEST_P(OffCorpusGood, MeansTheSameWithOtherLineEndsAndComments) {
 }
 
 TEST_P(OffCorpusGood, KeepsItsAreaWhenRotatedAndDuplicated) {
-    const Result<ReadMeshResult> read = read_mesh(GetParam().bytes, "original");
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(GetParam().bytes, "original");
     ASSERT_TRUE(read) << read.error().message;
-    TriangleMesh twice = read->mesh;
+    mesh::TriangleMesh twice = read->mesh;
     const auto count = static_cast<std::uint32_t>(twice.vertices.size());
     const Mat3 rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     for (std::uint32_t v = 0; v < count; ++v) {
         twice.vertices.push_back(rotation * twice.vertices[v]);
     }
-    for (TriangleMesh::Triangle triangle : read->mesh.triangles) {
+    for (mesh::TriangleMesh::Triangle triangle : read->mesh.triangles) {
         for (std::uint32_t& vertex : triangle) vertex += count;
         twice.triangles.push_back(triangle);
     }
-    const Result<ReadMeshResult> again = read_mesh(to_off(twice), "twice");
+    const Result<mesh::ReadMeshResult> again = mesh::read_mesh(mesh::to_off(twice), "twice");
     // A rotated diagonal may leave the range of coordinates that are taken.
     if (!again && again.error().code == ErrorCode::kOffNonFinite) return;
     ASSERT_TRUE(again) << again.error().message;
-    const MeshMeasures once = measure(read->mesh);
+    const mesh::MeshMeasures once = mesh::measure(read->mesh);
     if (read->mesh.empty()) return;
     // Far from the origin a coordinate's last digit is a length that counts.
     const double furthest =
         std::max(once.bounds.min().cwiseAbs().maxCoeff(), once.bounds.max().cwiseAbs().maxCoeff());
     const double rounding = 1e-14 * furthest * once.diagonal;
-    EXPECT_NEAR(measure(again->mesh).surface_area, 2 * once.surface_area,
+    EXPECT_NEAR(mesh::measure(again->mesh).surface_area, 2 * once.surface_area,
                 1e-9 * once.surface_area + rounding);
 }
 

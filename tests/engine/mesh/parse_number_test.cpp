@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace ossuary {
+namespace ossuary::mesh {
 namespace {
 
 ParsedNumber<double> parse(const std::string& text) {
@@ -108,4 +108,4 @@ TEST(ParseDouble, StopsWhereTheNumberEnds) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::mesh

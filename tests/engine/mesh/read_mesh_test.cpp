@@ -29,9 +29,9 @@ protected:
 };
 
 TEST_F(ReadMesh, ReadsAFileAsItsBytes) {
-    const TriangleMesh sphere = sphere_mesh(2);
-    ASSERT_TRUE(write_off(sphere, folder_ / "sphere.off"));
-    const auto read = read_mesh(folder_ / "sphere.off");
+    const mesh::TriangleMesh sphere = sphere_mesh(2);
+    ASSERT_TRUE(mesh::write_off(sphere, folder_ / "sphere.off"));
+    const auto read = mesh::read_mesh(folder_ / "sphere.off");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->mesh.vertices, sphere.vertices);
     EXPECT_EQ(read->mesh.triangles, sphere.triangles);
@@ -39,52 +39,53 @@ TEST_F(ReadMesh, ReadsAFileAsItsBytes) {
 }
 
 TEST_F(ReadMesh, FollowsTheContentsNotTheName) {
-    ASSERT_TRUE(write_off(cube_mesh(), folder_ / "cube.stl"));
-    EXPECT_TRUE(read_mesh(folder_ / "cube.stl"));
-    ASSERT_TRUE(write_obj(cube_mesh(), folder_ / "cube.off"));
-    const auto read = read_mesh(folder_ / "cube.off");
+    ASSERT_TRUE(mesh::write_off(cube_mesh(), folder_ / "cube.stl"));
+    EXPECT_TRUE(mesh::read_mesh(folder_ / "cube.stl"));
+    ASSERT_TRUE(mesh::write_obj(cube_mesh(), folder_ / "cube.off"));
+    const auto read = mesh::read_mesh(folder_ / "cube.off");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kFormatUnsupported);
     EXPECT_NE(read.error().message.find("OBJ"), std::string::npos) << read.error().message;
 }
 
 TEST_F(ReadMesh, TellsMissingFromUnreadable) {
-    EXPECT_EQ(read_mesh(folder_ / "nothing.off").error().code, ErrorCode::kFileNotFound);
-    EXPECT_EQ(read_mesh(folder_).error().code, ErrorCode::kFileUnreadable);
-    EXPECT_EQ(read_mesh(fs::path("/dev/zero")).error().code, ErrorCode::kFileUnreadable);
+    EXPECT_EQ(mesh::read_mesh(folder_ / "nothing.off").error().code, ErrorCode::kFileNotFound);
+    EXPECT_EQ(mesh::read_mesh(folder_).error().code, ErrorCode::kFileUnreadable);
+    EXPECT_EQ(mesh::read_mesh(fs::path("/dev/zero")).error().code, ErrorCode::kFileUnreadable);
 }
 
 TEST_F(ReadMesh, RefusesFilesOverTheCapBeforeReadingThem) {
-    ASSERT_TRUE(write_off(cube_mesh(), folder_ / "cube.off"));
-    ReadMeshOptions options;
+    ASSERT_TRUE(mesh::write_off(cube_mesh(), folder_ / "cube.off"));
+    mesh::ReadMeshOptions options;
     options.max_bytes = fs::file_size(folder_ / "cube.off");
-    EXPECT_TRUE(read_mesh(folder_ / "cube.off", options));
+    EXPECT_TRUE(mesh::read_mesh(folder_ / "cube.off", options));
     --options.max_bytes;
-    EXPECT_EQ(read_mesh(folder_ / "cube.off", options).error().code, ErrorCode::kFileTooLarge);
+    EXPECT_EQ(mesh::read_mesh(folder_ / "cube.off", options).error().code,
+              ErrorCode::kFileTooLarge);
     // A sparse file of a terabyte.
     std::ofstream(folder_ / "huge.off") << "OFF";
     fs::resize_file(folder_ / "huge.off", std::uintmax_t{1} << 40);
-    EXPECT_EQ(read_mesh(folder_ / "huge.off").error().code, ErrorCode::kFileTooLarge);
-    EXPECT_EQ(read_mesh(to_off(cube_mesh()), "cube", options).error().code,
+    EXPECT_EQ(mesh::read_mesh(folder_ / "huge.off").error().code, ErrorCode::kFileTooLarge);
+    EXPECT_EQ(mesh::read_mesh(mesh::to_off(cube_mesh()), "cube", options).error().code,
               ErrorCode::kFileTooLarge);
 }
 
 TEST_F(ReadMesh, RefusesSixtyMegabytesOfNonsenseQuickly) {
     const std::string nonsense(60'000'000, 'A');
-    EXPECT_EQ(read_mesh(nonsense, "upload").error().code, ErrorCode::kFormatUnknown);
-    EXPECT_LT(read_mesh(nonsense, "upload").error().message.size(), 200u);
-    EXPECT_EQ(read_mesh("OFF" + nonsense, "upload").error().code, ErrorCode::kOffHeader);
-    EXPECT_EQ(read_mesh("OFF\n9 9 9\n" + nonsense, "upload").error().code,
+    EXPECT_EQ(mesh::read_mesh(nonsense, "upload").error().code, ErrorCode::kFormatUnknown);
+    EXPECT_LT(mesh::read_mesh(nonsense, "upload").error().message.size(), 200u);
+    EXPECT_EQ(mesh::read_mesh("OFF" + nonsense, "upload").error().code, ErrorCode::kOffHeader);
+    EXPECT_EQ(mesh::read_mesh("OFF\n9 9 9\n" + nonsense, "upload").error().code,
               ErrorCode::kOffBadNumber);
-    EXPECT_LT(read_mesh("OFF\n9 9 9\n" + nonsense, "upload").error().message.size(), 200u);
+    EXPECT_LT(mesh::read_mesh("OFF\n9 9 9\n" + nonsense, "upload").error().message.size(), 200u);
 }
 
 TEST_F(ReadMesh, PicksModelFilesByExtensionInAnyCase) {
     for (const char* name : {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off"}) {
-        EXPECT_TRUE(is_model_file(name)) << name;
+        EXPECT_TRUE(mesh::is_model_file(name)) << name;
     }
     for (const char* name : {"a.stl", "off", ".off", "a.off.gz", "a.offx", "a.expect", "a", ""}) {
-        EXPECT_FALSE(is_model_file(name)) << name;
+        EXPECT_FALSE(mesh::is_model_file(name)) << name;
     }
 }
 
@@ -98,11 +99,11 @@ TEST_F(ReadMesh, ReadsSomeOfEachBenchmarkCollection) {
         }
         std::sort(files.begin(), files.end());
         for (std::size_t i = 0; i < files.size(); i += 25) {
-            const auto read = read_mesh(files[i]);
+            const auto read = mesh::read_mesh(files[i]);
             ASSERT_TRUE(read) << read.error().message;
             EXPECT_FALSE(read->mesh.empty()) << files[i];
             ++read_files;
-            const MeshReport report = inspect(read->mesh);
+            const mesh::MeshReport report = mesh::inspect(read->mesh);
             if (std::string(collection) == "princeton-segmentation") {
                 EXPECT_TRUE(report.closed && report.edge_manifold) << files[i];
             }

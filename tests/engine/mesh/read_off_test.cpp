@@ -15,27 +15,27 @@ namespace {
 
 const std::string kTriangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-std::string code_of(const std::string& text, const ReadMeshOptions& options) {
-    const Result<ReadMeshResult> read = read_off(text, "model", options);
+std::string code_of(const std::string& text, const mesh::ReadMeshOptions& options) {
+    const Result<mesh::ReadMeshResult> read = mesh::read_off(text, "model", options);
     return read ? "ok" : std::string(to_string(read.error().code));
 }
 
 TEST(ReadOff, ReadsPositionsExactly) {
-    const auto read = read_off(
+    const auto read = mesh::read_off(
         "OFF\n3 1 0\n0.1 -2.5e-3 1e22\n123456789.123456789 .3 7\n1 2 3.0000000000000004\n3 2 1 0\n",
         "model");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->mesh.vertices[0], Vec3(0.1, -2.5e-3, 1e22));
     EXPECT_EQ(read->mesh.vertices[1], Vec3(123456789.123456789, .3, 7));
     EXPECT_EQ(read->mesh.vertices[2], Vec3(1, 2, 3.0000000000000004));
-    EXPECT_EQ(read->mesh.triangles[0], (TriangleMesh::Triangle{2, 1, 0}));
+    EXPECT_EQ(read->mesh.triangles[0], (mesh::TriangleMesh::Triangle{2, 1, 0}));
 }
 
 TEST(ReadOff, SkipsNormalsColorsAndTextureCoordinatesWithoutTakingThemForPositions) {
     for (const auto& off_case : off_cases("ok")) {
         if (off_case.vertices != 3 || off_case.bytes.find("OFF") == std::string::npos) continue;
         if (off_case.name.find("off") == std::string::npos) continue;
-        const auto read = read_off(off_case.bytes, off_case.name);
+        const auto read = mesh::read_off(off_case.bytes, off_case.name);
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(read->mesh.vertices[0], Vec3(0, 0, 0)) << off_case.name;
         EXPECT_EQ(read->mesh.vertices[1], Vec3(1, 0, 0)) << off_case.name;
@@ -44,7 +44,7 @@ TEST(ReadOff, SkipsNormalsColorsAndTextureCoordinatesWithoutTakingThemForPositio
 }
 
 TEST(ReadOff, HoldsEachCapExactly) {
-    ReadMeshOptions options;
+    mesh::ReadMeshOptions options;
     options.max_vertices = 3;
     options.max_faces = 1;
     options.max_face_corners = 3;
@@ -69,7 +69,7 @@ TEST(ReadOff, HoldsEachCapExactly) {
 }
 
 TEST(ReadOff, DoesNotAllocateWhatTheCountsPromiseWhenCapsAreRaised) {
-    ReadMeshOptions options;
+    mesh::ReadMeshOptions options;
     options.max_vertices = 4'294'967'295u;
     options.max_faces = 4'294'967'295u;
     // 100 GB of vertices, were they believed.
@@ -87,16 +87,17 @@ TEST(ReadOff, TriangulatesPolygonsWithoutLosingArea) {
         const auto expected = areas.find(off_case.name);
         if (expected == areas.end()) continue;
         ++seen;
-        const auto read = read_off(off_case.bytes, off_case.name);
+        const auto read = mesh::read_off(off_case.bytes, off_case.name);
         ASSERT_TRUE(read) << read.error().message;
         // No area twice, none outside: the sum of the parts is the whole only if none overlap.
-        EXPECT_NEAR(measure(read->mesh).surface_area, expected->second, 1e-12) << off_case.name;
+        EXPECT_NEAR(mesh::measure(read->mesh).surface_area, expected->second, 1e-12)
+            << off_case.name;
     }
     EXPECT_EQ(seen, areas.size());
 }
 
 TEST(ReadOff, NumbersTheSourceFaceOfEachTriangle) {
-    const auto read = read_off(
+    const auto read = mesh::read_off(
         "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 2 2\n4 0 1 2 3\n2 0 1\n3 0 1 4\n5 0 1 2 4 3\n",
         "model");
     ASSERT_TRUE(read) << read.error().message;
@@ -107,7 +108,7 @@ TEST(ReadOff, NumbersTheSourceFaceOfEachTriangle) {
 TEST(ReadOff, GivesACodedErrorOrAMeshForEveryTruncationOfEveryGoodFile) {
     for (const auto& off_case : off_cases("ok")) {
         for (std::size_t length = 0; length < off_case.bytes.size(); ++length) {
-            const auto read = read_off(off_case.bytes.substr(0, length), off_case.name);
+            const auto read = mesh::read_off(off_case.bytes.substr(0, length), off_case.name);
             if (read) {
                 ASSERT_EQ(read->mesh.vertices.size(), off_case.vertices) << off_case.name;
                 ASSERT_LE(read->mesh.triangles.size(), off_case.triangles) << off_case.name;
@@ -121,11 +122,11 @@ TEST(ReadOff, GivesACodedErrorOrAMeshForEveryTruncationOfEveryGoodFile) {
 }
 
 TEST(ReadOff, FindsEveryTruncationThatCutsOffALine) {
-    const std::string text = to_off(torus_mesh(6, 5));
+    const std::string text = mesh::to_off(torus_mesh(6, 5));
     std::size_t lines = 0;
     for (std::size_t end = text.find('\n'); end + 1 < text.size(); end = text.find('\n', end + 1)) {
         ++lines;
-        const auto read = read_off(text.substr(0, end), "model");
+        const auto read = mesh::read_off(text.substr(0, end), "model");
         ASSERT_FALSE(read) << "cut after line " << lines;
         const ErrorCode code = read.error().code;
         EXPECT_TRUE(code == ErrorCode::kOffTruncated ||
@@ -157,7 +158,7 @@ TEST(ReadOff, SurvivesRandomDamage) {
                         text.insert(at, text.substr(random() % text.size(), random() % 20));
                 }
             }
-            const auto read = read_off(text, off_case.name);
+            const auto read = mesh::read_off(text, off_case.name);
             if (!read) continue;
             for (const auto& triangle : read->mesh.triangles) {
                 for (const auto vertex : triangle) ASSERT_LT(vertex, read->mesh.vertices.size());
@@ -175,7 +176,7 @@ TEST(ReadOff, SurvivesRandomBytes) {
         for (std::size_t i = random() % 300; i > 0; --i) {
             text += static_cast<char>(1 + random() % 255);
         }
-        const auto read = read_off(text, "noise");
+        const auto read = mesh::read_off(text, "noise");
         if (read) continue;
         EXPECT_EQ(std::string(to_string(read.error().code)).rfind("off_", 0), 0u);
     }
@@ -195,7 +196,7 @@ TEST(ReadOff, StopsLookingForEarsWhereAHostileFileAsksForTooMuch) {
     std::string face = std::to_string(corners);
     for (int i = 0; i < corners; ++i) face.append(1, ' ').append(std::to_string(i));
     for (int i = 0; i < polygons; ++i) text += face + "\n";
-    const auto read = read_off(text, "zigzag");
+    const auto read = mesh::read_off(text, "zigzag");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->mesh.triangles.size(), std::size_t(polygons * (corners - 2)));
     ASSERT_EQ(read->warnings.size(), 1u);

@@ -30,8 +30,8 @@ Vec3 polygon_area(const std::vector<Vec3>& outline) {
 Cut cut(const std::vector<Vec3>& outline) {
     std::vector<std::uint32_t> polygon(outline.size());
     std::iota(polygon.begin(), polygon.end(), 0u);
-    std::vector<TriangleMesh::Triangle> triangles;
-    PolygonTriangulator triangulator;
+    std::vector<mesh::TriangleMesh::Triangle> triangles;
+    mesh::PolygonTriangulator triangulator;
     triangulator.append(polygon, outline, triangles);
     Cut result;
     result.triangles = triangles.size();
@@ -92,8 +92,8 @@ TEST(Triangulate, GivesNoTriangleWithoutAreaToAPolygonWithStraightCorners) {
     for (int i = 5; i > 0; --i) outline.emplace_back(0, i, 0);
     std::vector<std::uint32_t> polygon(outline.size());
     std::iota(polygon.begin(), polygon.end(), 0u);
-    std::vector<TriangleMesh::Triangle> triangles;
-    PolygonTriangulator().append(polygon, outline, triangles);
+    std::vector<mesh::TriangleMesh::Triangle> triangles;
+    mesh::PolygonTriangulator().append(polygon, outline, triangles);
     for (const auto& [a, b, c] : triangles) {
         EXPECT_GT((outline[b] - outline[a]).cross(outline[c] - outline[a]).z(), 1e-9);
     }
@@ -126,8 +126,8 @@ TEST(Triangulate, FallsBackToFansWhenItsWorkIsSpent) {
     const std::vector<Vec3> outline = random_star(200, random);
     std::vector<std::uint32_t> polygon(outline.size());
     std::iota(polygon.begin(), polygon.end(), 0u);
-    std::vector<TriangleMesh::Triangle> triangles;
-    PolygonTriangulator triangulator(100);
+    std::vector<mesh::TriangleMesh::Triangle> triangles;
+    mesh::PolygonTriangulator triangulator(100);
     triangulator.append(polygon, outline, triangles);
     EXPECT_EQ(triangles.size(), 198u);
     EXPECT_EQ(triangulator.fanned(), 1u);

@@ -14,7 +14,7 @@ namespace {
 
 TEST(WriteOff, KeepsEveryBitOfEveryCoordinate) {
     std::mt19937_64 random(9);
-    TriangleMesh mesh;
+    mesh::TriangleMesh mesh;
     for (int i = 0; i < 3000; ++i) {
         Vec3 vertex;
         for (double& x : vertex) {
@@ -25,15 +25,15 @@ TEST(WriteOff, KeepsEveryBitOfEveryCoordinate) {
         mesh.vertices.push_back(vertex);
     }
     mesh.triangles = {{0, 1, 2}, {2999, 5, 7}};
-    const auto read = read_mesh(to_off(mesh), "written");
+    const auto read = mesh::read_mesh(mesh::to_off(mesh), "written");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->mesh.vertices, mesh.vertices);
     EXPECT_EQ(read->mesh.triangles, mesh.triangles);
 }
 
 TEST(WriteObj, CountsFromOne) {
-    const TriangleMesh mesh = corner_tetrahedron();
-    std::istringstream text(to_obj(mesh));
+    const mesh::TriangleMesh mesh = corner_tetrahedron();
+    std::istringstream text(mesh::to_obj(mesh));
     std::size_t vertices = 0;
     std::size_t faces = 0;
     for (std::string key; text >> key;) {
@@ -56,11 +56,11 @@ TEST(WriteObj, CountsFromOne) {
 }
 
 TEST(WriteOff, SaysWhenAFileCannotBeWritten) {
-    const auto written = write_off(cube_mesh(), "/nowhere/at/all/cube.off");
+    const auto written = mesh::write_off(cube_mesh(), "/nowhere/at/all/cube.off");
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code, ErrorCode::kFileUnwritable);
     // The disk that is always full accepts the open and refuses the bytes.
-    EXPECT_FALSE(write_obj(sphere_mesh(5), "/dev/full"));
+    EXPECT_FALSE(mesh::write_obj(sphere_mesh(5), "/dev/full"));
 }
 
 }  // namespace

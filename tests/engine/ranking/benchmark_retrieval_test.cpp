@@ -8,7 +8,7 @@
 #include "engine/ranking/retrieval_metrics.h"
 #include "tests/support/benchmark_data.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kPerClass = 3;
@@ -27,14 +27,14 @@ TEST(BenchmarkRetrieval, FindsTheClassFarMoreOftenThanChance) {
             files.push_back(folder / "off" / candidate_file_names(entry.models[6 * i]).front());
         }
     }
-    std::vector<ModelDescriptor> models(files.size());
+    std::vector<descriptor::ModelDescriptor> models(files.size());
     parallel_for(files.size(), 2, [&](std::size_t i) {
-        const auto mesh = read_mesh(files[i]);
+        const auto mesh = mesh::read_mesh(files[i]);
         if (!mesh) return;
-        auto description = describe(mesh->mesh);
+        auto description = descriptor::describe(mesh->mesh);
         if (description) models[i] = std::move(description->descriptor);
     });
-    std::vector<const ModelDescriptor*> collection;
+    std::vector<const descriptor::ModelDescriptor*> collection;
     for (std::size_t i = 0; i < models.size(); ++i) {
         ASSERT_FALSE(models[i].globals.empty()) << files[i];
         collection.push_back(&models[i]);
@@ -60,4 +60,4 @@ TEST(BenchmarkRetrieval, FindsTheClassFarMoreOftenThanChance) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -8,7 +8,7 @@
 
 #include "tests/support/random.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 TEST(Bootstrap, HasTheWidthOfTheNormalInterval) {
@@ -52,4 +52,4 @@ TEST(Bootstrap, ComparesQueryByQuery) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -44,8 +44,8 @@ double distance_to(const Capsule& capsule, const Vec3& p) {
     return (p - capsule.a - t * axis).norm();
 }
 
-SkeletonGraph skeleton_of(const std::vector<Capsule>& capsules) {
-    SkeletonGraph graph;
+skeleton::SkeletonGraph skeleton_of(const std::vector<Capsule>& capsules) {
+    skeleton::SkeletonGraph graph;
     const auto node_at = [&](const Vec3& position, double radius) {
         for (std::uint32_t i = 0; i < graph.nodes.size(); ++i) {
             if (graph.nodes[i].position == position) return i;
@@ -54,7 +54,7 @@ SkeletonGraph skeleton_of(const std::vector<Capsule>& capsules) {
         return static_cast<std::uint32_t>(graph.nodes.size() - 1);
     };
     for (const Capsule& capsule : capsules) {
-        SkeletonGraph::Branch branch;
+        skeleton::SkeletonGraph::Branch branch;
         branch.a = node_at(capsule.a, capsule.radius);
         branch.b = node_at(capsule.b, capsule.radius);
         const int steps = std::max(2, static_cast<int>((capsule.b - capsule.a).norm()));
@@ -67,13 +67,13 @@ SkeletonGraph skeleton_of(const std::vector<Capsule>& capsules) {
         graph.nodes[branch.b].significance += branch.length();
         graph.branches.push_back(std::move(branch));
     }
-    update_degrees(graph);
+    skeleton::update_degrees(graph);
     return graph;
 }
 
 }  // namespace
 
-ModelDescriptor built_model(std::uint64_t family, std::uint64_t seed) {
+descriptor::ModelDescriptor built_model(std::uint64_t family, std::uint64_t seed) {
     const std::vector<Capsule> capsules = limbs(family, seed);
     Box3 bounds;
     for (const Capsule& capsule : capsules) {
@@ -81,27 +81,29 @@ ModelDescriptor built_model(std::uint64_t family, std::uint64_t seed) {
         bounds.extend(Box3(capsule.a - reach, capsule.a + reach));
         bounds.extend(Box3(capsule.b - reach, capsule.b + reach));
     }
-    const BitVolume volume = sample_volume(bounds, [&](const Vec3& p) {
+    const voxel::BitVolume volume = sample_volume(bounds, [&](const Vec3& p) {
         for (const Capsule& capsule : capsules) {
             if (distance_to(capsule, p) <= capsule.radius) return true;
         }
         return false;
     });
-    const SolidSurface surface = solid_surface(volume);
+    const descriptor::SolidSurface surface = descriptor::solid_surface(volume);
     const auto voxels = static_cast<double>(volume.count());
-    const double scale = body_scale(surface.total_area, voxels);
-    ModelDescriptor model;
-    const SkeletonGraph graph = skeleton_of(capsules);
-    model.skeleton = describe_skeleton(graph, scale);
+    const double scale = descriptor::body_scale(surface.total_area, voxels);
+    descriptor::ModelDescriptor model;
+    const skeleton::SkeletonGraph graph = skeleton_of(capsules);
+    model.skeleton = matching::describe_skeleton(graph, scale);
     model.skeleton.solid_volume = static_cast<float>(voxels / (scale * scale * scale));
-    model.skeleton.limb_volume = static_cast<float>(tube_volume(graph) / (scale * scale * scale));
-    model.globals = global_descriptors(surface, volume, {&model.skeleton, 1});
-    model.signature = preselection_signature(model.skeleton, model.globals);
+    model.skeleton.limb_volume =
+        static_cast<float>(skeleton::tube_volume(graph) / (scale * scale * scale));
+    model.globals = descriptor::global_descriptors(surface, volume, {&model.skeleton, 1});
+    model.signature = descriptor::preselection_signature(model.skeleton, model.globals);
     return model;
 }
 
-std::vector<ModelDescriptor> built_collection(std::size_t families, std::size_t members) {
-    std::vector<ModelDescriptor> models;
+std::vector<descriptor::ModelDescriptor> built_collection(std::size_t families,
+                                                          std::size_t members) {
+    std::vector<descriptor::ModelDescriptor> models;
     for (std::size_t family = 0; family < families; ++family) {
         for (std::size_t seed = 0; seed < members; ++seed) {
             models.push_back(built_model(family, seed));
@@ -110,9 +112,10 @@ std::vector<ModelDescriptor> built_collection(std::size_t families, std::size_t 
     return models;
 }
 
-std::vector<const ModelDescriptor*> pointers(const std::vector<ModelDescriptor>& models) {
-    std::vector<const ModelDescriptor*> result;
-    for (const ModelDescriptor& model : models) result.push_back(&model);
+std::vector<const descriptor::ModelDescriptor*> pointers(
+    const std::vector<descriptor::ModelDescriptor>& models) {
+    std::vector<const descriptor::ModelDescriptor*> result;
+    for (const descriptor::ModelDescriptor& model : models) result.push_back(&model);
     return result;
 }
 

@@ -7,7 +7,7 @@
 
 #include "tests/support/benchmark_data.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 using ::testing::ElementsAre;
@@ -151,4 +151,4 @@ TEST(Classification, ReadsTheBenchmarksOwnFiles) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 /// What a collection of many kinds says.
@@ -10,8 +10,8 @@ constexpr ModelScale kScale = {{0.5, 2900.0, 2100.0, 16800.0, 218000.0, 4330.0, 
                                {0.07, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0}};
 
 /// A body of three limbs from one node.
-ModelDescriptor limbs() {
-    ModelDescriptor model;
+descriptor::ModelDescriptor a_model() {
+    descriptor::ModelDescriptor model;
     model.skeleton.nodes.resize(4);
     for (std::uint32_t tip = 1; tip < 4; ++tip) {
         model.skeleton.branches.push_back({0, tip, "", {}, {}, 0.6F});
@@ -22,7 +22,7 @@ ModelDescriptor limbs() {
 }
 
 FusionSide side(RankerKind ranker, double pose = RankOptions{}.pose) {
-    return fusion_side(limbs(), kScale, {.ranker = ranker, .pose = pose});
+    return fusion_side(a_model(), kScale, {.ranker = ranker, .pose = pose});
 }
 
 /// Distances as shares of their means.
@@ -102,4 +102,4 @@ TEST(Fusion, IsSymmetricAndSplitsIntoParts) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

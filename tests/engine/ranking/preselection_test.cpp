@@ -7,24 +7,26 @@
 
 #include "tests/engine/ranking/built_models.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 /// Ten families of four models; built once for all tests.
 class PreselectionTest : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
-        models_ = new std::vector<ModelDescriptor>(test::built_collection(10, 4));
+        models_ = new std::vector<descriptor::ModelDescriptor>(test::built_collection(10, 4));
     }
     static void TearDownTestSuite() {
         delete models_;
         models_ = nullptr;
     }
-    static std::vector<const ModelDescriptor*> collection() { return test::pointers(*models_); }
+    static std::vector<const descriptor::ModelDescriptor*> collection() {
+        return test::pointers(*models_);
+    }
 
-    static std::vector<ModelDescriptor>* models_;
+    static std::vector<descriptor::ModelDescriptor>* models_;
 };
-std::vector<ModelDescriptor>* PreselectionTest::models_ = nullptr;
+std::vector<descriptor::ModelDescriptor>* PreselectionTest::models_ = nullptr;
 
 std::vector<std::size_t> indices(const std::vector<RankedModel>& models) {
     std::vector<std::size_t> result;
@@ -59,10 +61,10 @@ TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
     const auto all = collection();
     const Preselection preselection(all);
     const CollectionStatistics statistics = *collection_statistics(all);
-    const ModelDescriptor stranger = test::built_model(3, 99);
+    const descriptor::ModelDescriptor stranger = test::built_model(3, 99);
     for (const RankerKind ranker : kAllRankers) {
         const RankOptions options{.ranker = ranker};
-        for (const ModelDescriptor* query : {all[5], &stranger}) {
+        for (const descriptor::ModelDescriptor* query : {all[5], &stranger}) {
             const auto exact = *rank_distances(*query, all, statistics, options);
             const auto found =
                 *nearest_models(*query, all, preselection, statistics, options, narrow());
@@ -110,4 +112,4 @@ TEST_F(PreselectionTest, GivesTheSameForEveryNumberOfJobs) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -9,7 +9,7 @@
 #include "engine/ranking/retrieval_metrics.h"
 #include "tests/engine/ranking/built_models.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 constexpr std::size_t kFamilies = 6;
@@ -19,14 +19,17 @@ constexpr std::size_t kMembers = 4;
 class Ranker : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
-        models_ = new std::vector<ModelDescriptor>(test::built_collection(kFamilies, kMembers));
+        models_ = new std::vector<descriptor::ModelDescriptor>(
+            test::built_collection(kFamilies, kMembers));
     }
     static void TearDownTestSuite() {
         delete models_;
         models_ = nullptr;
     }
-    [[nodiscard]] static const std::vector<ModelDescriptor>& models() { return *models_; }
-    [[nodiscard]] static std::vector<const ModelDescriptor*> collection() {
+    [[nodiscard]] static const std::vector<descriptor::ModelDescriptor>& models() {
+        return *models_;
+    }
+    [[nodiscard]] static std::vector<const descriptor::ModelDescriptor*> collection() {
         return test::pointers(models());
     }
     [[nodiscard]] static std::vector<std::string> labels() {
@@ -38,9 +41,9 @@ protected:
     }
 
 private:
-    static std::vector<ModelDescriptor>* models_;
+    static std::vector<descriptor::ModelDescriptor>* models_;
 };
-std::vector<ModelDescriptor>* Ranker::models_ = nullptr;
+std::vector<descriptor::ModelDescriptor>* Ranker::models_ = nullptr;
 
 std::vector<RankOptions> every_option() {
     std::vector<RankOptions> options;
@@ -128,7 +131,7 @@ TEST_F(Ranker, GivesTheSameBitsForEveryNumberOfJobs) {
     const auto all = collection();
     EXPECT_EQ(collection_statistics(all, 1)->values, collection_statistics(all, 3)->values);
     const CollectionStatistics statistics = *collection_statistics(all);
-    const ModelDescriptor stranger = test::built_model(77, 1);
+    const descriptor::ModelDescriptor stranger = test::built_model(77, 1);
     for (RankOptions options : every_option()) {
         const auto one = *rank_distances(stranger, all, statistics, options);
         const auto one_matrix = *distance_matrix(all, statistics, options);
@@ -142,7 +145,7 @@ TEST_F(Ranker, GivesTheSameBitsForEveryNumberOfJobs) {
 
 TEST_F(Ranker, GivesTheRowsOfItsMatrix) {
     const auto all = collection();
-    const std::vector<const ModelDescriptor*> half(all.begin(), all.begin() + 10);
+    const std::vector<const descriptor::ModelDescriptor*> half(all.begin(), all.begin() + 10);
     // Statistics of the collection, of a larger one, of another one, and none at all.
     const CollectionStatistics of_all = *collection_statistics(all);
     const CollectionStatistics of_half = *collection_statistics(half);
@@ -168,7 +171,7 @@ TEST_F(Ranker, GivesTheRowsOfItsMatrix) {
 TEST_F(Ranker, RanksAQueryFromOutsideLikeOneFromInside) {
     // A copy under the statistics that know it, and under those of the collection without it.
     const auto all = collection();
-    std::vector<const ModelDescriptor*> others(all.begin() + 1, all.end());
+    std::vector<const descriptor::ModelDescriptor*> others(all.begin() + 1, all.end());
     const CollectionStatistics with = *collection_statistics(all);
     const CollectionStatistics without = *collection_statistics(others);
     const auto inside = order_of(*rank_distances(*all[0], others, with, {}));
@@ -181,7 +184,7 @@ TEST_F(Ranker, RanksAQueryFromOutsideLikeOneFromInside) {
 TEST_F(Ranker, CopesWithCollectionsOfNoneOneAndTwo) {
     const auto all = collection();
     for (const std::size_t size : {0U, 1U, 2U}) {
-        const std::vector<const ModelDescriptor*> few(all.begin(), all.begin() + size);
+        const std::vector<const descriptor::ModelDescriptor*> few(all.begin(), all.begin() + size);
         const CollectionStatistics statistics = *collection_statistics(few);
         for (const double value : statistics.values) EXPECT_TRUE(std::isfinite(value));
         for (const RankOptions& options : every_option()) {
@@ -211,12 +214,12 @@ TEST_F(Ranker, TakesStatisticsItCannotReadAsNone) {
 
 TEST_F(Ranker, CopesWithADegenerateModel) {
     // A model without a skeleton and with globals of nothing, as a point would have.
-    ModelDescriptor empty;
+    descriptor::ModelDescriptor empty;
     for (const auto& global : models().front().globals) {
         empty.globals.push_back({global.name, std::vector<std::uint8_t>(global.values.size(), 0)});
     }
     empty.signature.assign(models().front().signature.size(), 0.0F);
-    std::vector<const ModelDescriptor*> all = collection();
+    std::vector<const descriptor::ModelDescriptor*> all = collection();
     all.push_back(&empty);
     const CollectionStatistics statistics = *collection_statistics(all);
     for (const RankOptions& options : every_option()) {
@@ -233,17 +236,17 @@ TEST_F(Ranker, ExplainsTheDistanceThatItRanksBy) {
     for (const RankerKind ranker : kAllRankers) {
         const RankOptions options{.ranker = ranker};
         const auto distances = *rank_distances(*all[2], all, statistics, options);
-        const Match match = *explain(*all[2], *all[7], statistics, options);
+        const matching::Match match = *explain(*all[2], *all[7], statistics, options);
         EXPECT_EQ(match.distance, distances[7]) << to_string(ranker);
         EXPECT_FALSE(match.parts.empty());
         if (ranker != RankerKind::kChainCode) {
             double sum = 0.0;
-            for (const DistancePart& part : match.parts) {
+            for (const matching::DistancePart& part : match.parts) {
                 EXPECT_GE(part.value, 0.0);
                 sum += part.value;
             }
             EXPECT_NEAR(sum, match.distance, 1e-12);
-            const Match plain =
+            const matching::Match plain =
                 *explain(*all[2], *all[7], statistics, {.ranker = RankerKind::kSkeleton});
             EXPECT_EQ(match.correspondence.nodes.size(), plain.correspondence.nodes.size());
         }
@@ -286,10 +289,10 @@ TEST_F(Ranker, IsSymmetricBitByBitAndExplainsItselfWherePoseDecides) {
             for (std::size_t j = 0; j < models.size(); ++j) {
                 EXPECT_EQ(matrix.at(i, j), matrix.at(j, i));
                 EXPECT_EQ(matrix.at(i, j), static_cast<float>(row[j]));
-                const Match match = *explain(models[i], models[j], statistics, options);
+                const matching::Match match = *explain(models[i], models[j], statistics, options);
                 EXPECT_NEAR(match.distance, row[j], 1e-9);
                 double sum = 0.0;
-                for (const DistancePart& part : match.parts) sum += part.value;
+                for (const matching::DistancePart& part : match.parts) sum += part.value;
                 EXPECT_NEAR(sum, match.distance, 1e-6);
             }
         }
@@ -311,4 +314,4 @@ TEST_F(Ranker, LooksForPartsAlikeForEveryNumberOfJobs) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

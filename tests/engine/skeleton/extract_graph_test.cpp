@@ -8,21 +8,21 @@
 #include "engine/voxel/betti.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
-SkeletonGraph graph_of(const BitVolume& skeleton) {
-    return extract_graph(skeleton, distance_transform(skeleton));
+SkeletonGraph graph_of(const voxel::BitVolume& skeleton) {
+    return extract_graph(skeleton, voxel::distance_transform(skeleton));
 }
 
-BitVolume voxels(const Vec3i& size, const std::vector<Vec3i>& set) {
-    BitVolume volume(size);
+voxel::BitVolume voxels(const Vec3i& size, const std::vector<Vec3i>& set) {
+    voxel::BitVolume volume(size);
     for (const Vec3i& v : set) volume.set(v);
     return volume;
 }
 
 /// Draws a lattice line of unit width, its ends included.
-void draw(BitVolume& volume, const Vec3i& from, const Vec3i& to) {
+void draw(voxel::BitVolume& volume, const Vec3i& from, const Vec3i& to) {
     const int steps = (to - from).cwiseAbs().maxCoeff();
     for (int i = 0; i <= steps; ++i) {
         volume.set(from + ((to - from).cast<double>() * i / std::max(steps, 1))
@@ -52,8 +52,8 @@ void expect_well_formed(const SkeletonGraph& graph) {
 }
 
 TEST(ExtractGraph, MakesNothingOfAnEmptyVolume) {
-    EXPECT_TRUE(graph_of(BitVolume(Vec3i(4, 4, 4))).empty());
-    EXPECT_TRUE(graph_of(BitVolume()).empty());
+    EXPECT_TRUE(graph_of(voxel::BitVolume(Vec3i(4, 4, 4))).empty());
+    EXPECT_TRUE(graph_of(voxel::BitVolume()).empty());
 }
 
 TEST(ExtractGraph, MakesANodeOfAnIsolatedVoxel) {
@@ -67,7 +67,7 @@ TEST(ExtractGraph, MakesANodeOfAnIsolatedVoxel) {
 
 TEST(ExtractGraph, MakesOneBranchOfALine) {
     for (int length = 2; length < 12; ++length) {
-        BitVolume line(Vec3i(20, 5, 5));
+        voxel::BitVolume line(Vec3i(20, 5, 5));
         draw(line, {3, 2, 2}, {2 + length, 2, 2});
         const SkeletonGraph graph = graph_of(line);
         ASSERT_EQ(graph.nodes.size(), 2u) << length;
@@ -79,7 +79,7 @@ TEST(ExtractGraph, MakesOneBranchOfALine) {
 }
 
 TEST(ExtractGraph, MakesAJunctionOfTouchingJunctionVoxelsAtTheirCentreOfGravity) {
-    BitVolume cross(Vec3i(21, 21, 3));
+    voxel::BitVolume cross(Vec3i(21, 21, 3));
     draw(cross, {0, 10, 1}, {20, 10, 1});
     draw(cross, {10, 0, 1}, {10, 20, 1});
     const SkeletonGraph graph = graph_of(cross);
@@ -96,7 +96,7 @@ TEST(ExtractGraph, MakesAJunctionOfTouchingJunctionVoxelsAtTheirCentreOfGravity)
 }
 
 TEST(ExtractGraph, GivesAClosedCurveOneNodeOfDegreeTwo) {
-    BitVolume ring(Vec3i(24, 24, 3));
+    voxel::BitVolume ring(Vec3i(24, 24, 3));
     draw(ring, {8, 2, 1}, {15, 2, 1});
     draw(ring, {16, 3, 1}, {20, 7, 1});
     draw(ring, {20, 8, 1}, {16, 12, 1});
@@ -114,12 +114,12 @@ TEST(ExtractGraph, GivesAClosedCurveOneNodeOfDegreeTwo) {
 
 TEST(ExtractGraph, KeepsTheHoleInARingOfJunctionVoxels) {
     // Four voxels around one empty place, each with an arm of its own: all are junction voxels.
-    BitVolume diamond(Vec3i(21, 21, 3));
+    voxel::BitVolume diamond(Vec3i(21, 21, 3));
     draw(diamond, {9, 10, 1}, {1, 10, 1});
     draw(diamond, {11, 10, 1}, {19, 10, 1});
     draw(diamond, {10, 9, 1}, {10, 1, 1});
     draw(diamond, {10, 11, 1}, {10, 19, 1});
-    const BettiNumbers betti = betti_numbers(diamond);
+    const voxel::BettiNumbers betti = voxel::betti_numbers(diamond);
     ASSERT_EQ(betti.tunnels, 1);
     const SkeletonGraph graph = graph_of(diamond);
     EXPECT_EQ(topology(graph), (GraphTopology{1, 1}));
@@ -133,7 +133,7 @@ TEST(ExtractGraph, HasTheTunnelsOfTheBuiltShapesAsCycles) {
             SCOPED_TRACE(shape.name + " " + std::string(to_string(method)));
             ThinningOptions options;
             options.method = method;
-            const DistanceField distance = distance_transform(shape.volume);
+            const voxel::DistanceField distance = voxel::distance_transform(shape.volume);
             const SkeletonGraph graph =
                 extract_graph(thin(shape.volume, distance, options), distance);
             EXPECT_EQ(topology(graph),
@@ -148,10 +148,10 @@ TEST(ExtractGraph, HasTheTunnelsOfRandomCurveSkeletonsAsCycles) {
     int checked = 0;
     for (unsigned round = 0; round < 400; ++round) {
         const double density = 0.02 + 0.02 * (round % 8);
-        const BitVolume solid = test::random_volume(Vec3i(12, 13, 14), density, round);
-        const DistanceField distance = distance_transform(solid);
-        const BitVolume skeleton = thin(solid, distance);
-        const BettiNumbers betti = betti_numbers(skeleton);
+        const voxel::BitVolume solid = test::random_volume(Vec3i(12, 13, 14), density, round);
+        const voxel::DistanceField distance = voxel::distance_transform(solid);
+        const voxel::BitVolume skeleton = thin(solid, distance);
+        const voxel::BettiNumbers betti = voxel::betti_numbers(skeleton);
         if (betti.cavities > 0) continue;
         const SkeletonGraph graph = extract_graph(skeleton, distance);
         ASSERT_EQ(topology(graph), (GraphTopology{betti.components, betti.tunnels})) << round;
@@ -164,7 +164,7 @@ TEST(ExtractGraph, HasTheTunnelsOfRandomCurveSkeletonsAsCycles) {
 }
 
 TEST(SkeletonGraph, ScalesWithTheWorld) {
-    BitVolume line(Vec3i(20, 5, 5));
+    voxel::BitVolume line(Vec3i(20, 5, 5));
     draw(line, {3, 2, 2}, {12, 2, 2});
     const SkeletonGraph grid = graph_of(line);
     WorldFromGrid world_from_grid;
@@ -180,4 +180,4 @@ TEST(SkeletonGraph, ScalesWithTheWorld) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -7,7 +7,7 @@
 
 #include "engine/skeleton/deletion_templates.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 class NeighborhoodSource {
@@ -110,4 +110,4 @@ TEST(DeletionTemplates, TailsAreLineEndsAndTheirNeighbors) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

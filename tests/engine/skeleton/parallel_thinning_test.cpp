@@ -10,7 +10,7 @@
 #include "engine/voxel/border.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 using VoxelSet = std::set<VoxelIndex>;
@@ -19,8 +19,8 @@ using VoxelSet = std::set<VoxelIndex>;
 /// iteration all that has lost a neighbour or was a candidate before is looked at.
 class PlainThinning {
 public:
-    explicit PlainThinning(const BitVolume& solid) : object_(solid) {
-        for_each_voxel(border(solid), [&](const Vec3i& position) {
+    explicit PlainThinning(const voxel::BitVolume& solid) : object_(solid) {
+        voxel::for_each_voxel(voxel::border(solid), [&](const Vec3i& position) {
             listed_.insert(object_.shape().index(position));
         });
     }
@@ -97,8 +97,8 @@ private:
 TEST(ParallelThinning, IsWhatLookingAtEverythingAgainGives) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const std::array densities = {0.5, 0.8, 0.95, 0.99};
-        const BitVolume solid = test::random_volume({10 + static_cast<int>(seed % 13), 14, 12},
-                                                    densities[seed % densities.size()], seed);
+        const voxel::BitVolume solid = test::random_volume(
+            {10 + static_cast<int>(seed % 13), 14, 12}, densities[seed % densities.size()], seed);
         ASSERT_EQ(thin_in_parallel(solid).volume(), PlainThinning(solid).run().volume()) << seed;
     }
     for (const test::VolumeShape& shape :
@@ -110,4 +110,4 @@ TEST(ParallelThinning, IsWhatLookingAtEverythingAgainGives) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

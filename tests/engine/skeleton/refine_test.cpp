@@ -13,9 +13,10 @@
 #include "engine/skeleton/prune_significance.h"
 #include "engine/skeleton/thinning.h"
 #include "engine/voxel/border.h"
+#include "tests/engine/skeleton/count_of_degree.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 struct Prepared {
@@ -23,22 +24,18 @@ struct Prepared {
     std::vector<Vec3> surface;
 };
 
-Prepared prepare(const BitVolume& solid, ThinningMethod method = ThinningMethod::kAnchored) {
+Prepared prepare(const voxel::BitVolume& solid, ThinningMethod method = ThinningMethod::kAnchored) {
     ThinningOptions options;
     options.method = method;
-    const DistanceField distance = distance_transform(solid);
+    const voxel::DistanceField distance = voxel::distance_transform(solid);
     Prepared prepared{extract_graph(thin(solid, distance, options), distance), {}};
-    for (const Vec3i& v : border_points(solid)) {
+    for (const Vec3i& v : voxel::border_points(solid)) {
         prepared.surface.push_back(v.cast<double>() + Vec3::Constant(0.5));
     }
     return prepared;
 }
 
-int count_of_degree(const SkeletonGraph& graph, int degree) {
-    int count = 0;
-    for (const SkeletonGraph::Node& node : graph.nodes) count += node.degree == degree;
-    return count;
-}
+using test::count_of_degree;
 
 /// A star of straight arms in the plane around the origin.
 SkeletonGraph star(const std::vector<double>& lengths, double centre_radius, double tip_radius) {
@@ -225,17 +222,17 @@ TEST(Refine, FindsTheLimbsOfATree) {
 }
 
 TEST(Refine, FindsTheSameLimbsInAMirroredOrPermutedVolume) {
-    const BitVolume solid = test::capsule_tree().volume;
+    const voxel::BitVolume solid = test::capsule_tree().volume;
     const Prepared first = prepare(solid);
     const SkeletonGraph expected = refine(first.graph, first.surface).refined;
-    std::vector<BitVolume> copies;
+    std::vector<voxel::BitVolume> copies;
     for (int axis = 0; axis < 3; ++axis) copies.push_back(test::mirrored(solid, axis));
     for (const Vec3i& order : {Vec3i(1, 2, 0), Vec3i(2, 0, 1), Vec3i(1, 0, 2)}) {
         copies.push_back(test::permuted(solid, order));
     }
     double length = 0.0;
     for (const auto& branch : expected.branches) length += branch.length();
-    for (const BitVolume& copy : copies) {
+    for (const voxel::BitVolume& copy : copies) {
         const Prepared prepared = prepare(copy);
         const SkeletonGraph refined = refine(prepared.graph, prepared.surface).refined;
         EXPECT_EQ(refined.nodes.size(), expected.nodes.size());
@@ -300,4 +297,4 @@ TEST(Refine, NamesItsPruningMethods) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

@@ -8,7 +8,7 @@
 #include "engine/core/parallel.h"
 #include "engine/voxel/betti.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 constexpr Neighborhood kLowBits = kCentre - 1;
@@ -18,8 +18,8 @@ constexpr Neighborhood with_gap(std::uint32_t bits) {
     return (bits & kLowBits) | (bits & ~kLowBits) << 1;
 }
 
-BitVolume volume_of(Neighborhood object) {
-    BitVolume volume(Vec3i(5, 5, 5));
+voxel::BitVolume volume_of(Neighborhood object) {
+    voxel::BitVolume volume(Vec3i(5, 5, 5));
     for_each_bit(object, [&](int bit) {
         const NeighborOffset o = neighbor_offset(bit);
         volume.set(2 + o.dx, 2 + o.dy, 2 + o.dz);
@@ -64,8 +64,8 @@ TEST(SimplePoint, MeansThatTheBettiNumbersStayWhenTheCentreGoes) {
     int simple = 0;
     for (std::uint32_t bits = 1; bits < 1u << 26; bits += 65'521) {
         const Neighborhood object = with_gap(bits);
-        const bool same =
-            betti_numbers(volume_of(object)) == betti_numbers(volume_of(object | kCentre));
+        const bool same = voxel::betti_numbers(volume_of(object)) ==
+                          voxel::betti_numbers(volume_of(object | kCentre));
         EXPECT_EQ(is_simple(object), same) << std::hex << object;
         simple += is_simple(object);
     }
@@ -100,4 +100,4 @@ TEST(Neighborhood, DilationsReachExactlyTheAdjacentVoxels) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

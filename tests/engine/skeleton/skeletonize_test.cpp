@@ -7,17 +7,14 @@
 
 #include "engine/mesh/read_mesh.h"
 #include "engine/voxel/betti.h"
+#include "tests/engine/skeleton/count_of_degree.h"
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
-int count_of_degree(const SkeletonGraph& graph, int degree) {
-    int count = 0;
-    for (const SkeletonGraph::Node& node : graph.nodes) count += node.degree == degree;
-    return count;
-}
+using test::count_of_degree;
 
 void expect_equal(const SkeletonGraph& a, const SkeletonGraph& b) {
     ASSERT_EQ(a.nodes.size(), b.nodes.size());
@@ -33,14 +30,15 @@ void expect_equal(const SkeletonGraph& a, const SkeletonGraph& b) {
 }
 
 TEST(Skeletonize, FindsTheLimbsOfATreeMeshWithBothMethods) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     for (const ThinningMethod method : {ThinningMethod::kAnchored, ThinningMethod::kParallel}) {
         SkeletonizeOptions options;
         options.thinning.method = method;
         const auto skeleton = skeletonize(mesh, options);
         ASSERT_TRUE(skeleton.ok()) << skeleton.error().message;
         EXPECT_EQ(topology(skeleton->refined), (GraphTopology{1, 0}));
-        EXPECT_EQ(betti_numbers(skeleton->thinned_volume), betti_numbers(skeleton->solid.volume));
+        EXPECT_EQ(voxel::betti_numbers(skeleton->thinned_volume),
+                  voxel::betti_numbers(skeleton->solid.volume));
         if (method == ThinningMethod::kAnchored) {
             EXPECT_EQ(count_of_degree(skeleton->refined, 1), 6);
         }
@@ -48,7 +46,7 @@ TEST(Skeletonize, FindsTheLimbsOfATreeMeshWithBothMethods) {
 }
 
 TEST(Skeletonize, FollowsTheModelHoweverItIsTurnedOrMirrored) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto original = skeletonize(mesh);
     ASSERT_TRUE(original.ok());
     Mat3 mirror = Mat3::Identity();
@@ -88,13 +86,13 @@ TEST(Skeletonize, StopsWhenAsked) {
 }
 
 TEST(Skeletonize, PassesOnTheErrorsOfVoxelization) {
-    const auto skeleton = skeletonize(TriangleMesh{});
+    const auto skeleton = skeletonize(mesh::TriangleMesh{});
     ASSERT_FALSE(skeleton.ok());
     EXPECT_EQ(skeleton.error().code, ErrorCode::kMeshEmpty);
 }
 
 TEST(Skeletonize, GivesTheSameSkeletonEachTime) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const auto first = skeletonize(mesh);
     const auto second = skeletonize(mesh);
     ASSERT_TRUE(first.ok() && second.ok());
@@ -108,7 +106,7 @@ TEST(Skeletonize, KeepsTheTopologyOfBenchmarkModels) {
     for (const int number : {1, 21, 121, 141, 181, 281, 361}) {
         const auto path =
             data / "princeton-segmentation" / "off" / (std::to_string(number) + ".off");
-        const auto model = read_mesh(path);
+        const auto model = mesh::read_mesh(path);
         ASSERT_TRUE(model.ok()) << model.error().message;
         for (const ThinningMethod method : {ThinningMethod::kAnchored, ThinningMethod::kParallel}) {
             SCOPED_TRACE(std::to_string(number) + " " + std::string(to_string(method)));
@@ -117,8 +115,8 @@ TEST(Skeletonize, KeepsTheTopologyOfBenchmarkModels) {
             options.thinning.method = method;
             const auto skeleton = skeletonize(model->mesh, options);
             ASSERT_TRUE(skeleton.ok()) << skeleton.error().message;
-            const BettiNumbers betti = betti_numbers(skeleton->solid.volume);
-            EXPECT_EQ(betti_numbers(skeleton->thinned_volume), betti);
+            const voxel::BettiNumbers betti = voxel::betti_numbers(skeleton->solid.volume);
+            EXPECT_EQ(voxel::betti_numbers(skeleton->thinned_volume), betti);
             if (betti.cavities == 0) {
                 const GraphTopology expected{betti.components, betti.tunnels};
                 EXPECT_EQ(topology(skeleton->thinned), expected);
@@ -133,7 +131,7 @@ TEST(Skeletonize, FindsFiveLimbsOfAHumanAndEightOfAnOctopus) {
     for (const auto& [number, limbs] : {std::pair{1, 5}, std::pair{121, 8}}) {
         const auto path =
             data / "princeton-segmentation" / "off" / (std::to_string(number) + ".off");
-        const auto model = read_mesh(path);
+        const auto model = mesh::read_mesh(path);
         ASSERT_TRUE(model.ok()) << model.error().message;
         const auto skeleton = skeletonize(model->mesh);
         ASSERT_TRUE(skeleton.ok()) << skeleton.error().message;
@@ -142,4 +140,4 @@ TEST(Skeletonize, FindsFiveLimbsOfAHumanAndEightOfAnOctopus) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

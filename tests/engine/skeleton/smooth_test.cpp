@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 SkeletonGraph::Branch curve(int count, const std::function<Vec3(double)>& at) {
@@ -111,4 +111,4 @@ TEST(Bending, SetsTheScaleInBothReadingsOfTheThesis) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

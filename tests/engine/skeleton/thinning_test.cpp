@@ -9,18 +9,18 @@
 #include "engine/voxel/betti.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 constexpr std::array kMethods = {ThinningMethod::kAnchored, ThinningMethod::kParallel};
 
-BitVolume thinned(const BitVolume& solid, ThinningMethod method) {
+voxel::BitVolume thinned(const voxel::BitVolume& solid, ThinningMethod method) {
     ThinningOptions options;
     options.method = method;
-    return thin(solid, distance_transform(solid), options);
+    return thin(solid, voxel::distance_transform(solid), options);
 }
 
-bool is_subset(const BitVolume& a, const BitVolume& b) {
+bool is_subset(const voxel::BitVolume& a, const voxel::BitVolume& b) {
     for (std::size_t w = 0; w < a.words().size(); ++w) {
         if ((a.words()[w] & ~b.words()[w]) != 0) return false;
     }
@@ -28,7 +28,7 @@ bool is_subset(const BitVolume& a, const BitVolume& b) {
 }
 
 /// Voxels that could go without changing the topology and are not ends.
-int removable_voxels(const BitVolume& skeleton) {
+int removable_voxels(const voxel::BitVolume& skeleton) {
     const ThinningGrid grid(skeleton);
     int removable = 0;
     grid.for_each([&](VoxelIndex v) {
@@ -43,7 +43,7 @@ struct Valences {
     int middles = 0;
     int junctions = 0;
 };
-Valences valences(const BitVolume& skeleton) {
+Valences valences(const voxel::BitVolume& skeleton) {
     const ThinningGrid grid(skeleton);
     Valences result;
     grid.for_each([&](VoxelIndex v) {
@@ -57,8 +57,8 @@ TEST(Thinning, KeepsTheTopologyOfEveryBuiltShape) {
     for (const test::VolumeShape& shape : test::volume_shapes()) {
         for (const ThinningMethod method : kMethods) {
             SCOPED_TRACE(shape.name + " " + std::string(to_string(method)));
-            const BitVolume skeleton = thinned(shape.volume, method);
-            EXPECT_EQ(betti_numbers(skeleton), shape.betti);
+            const voxel::BitVolume skeleton = thinned(shape.volume, method);
+            EXPECT_EQ(voxel::betti_numbers(skeleton), shape.betti);
             EXPECT_TRUE(is_subset(skeleton, shape.volume));
             EXPECT_EQ(removable_voxels(skeleton), 0);
         }
@@ -76,15 +76,15 @@ TEST(Thinning, KeepsTheTopologyOfRandomVolumes) {
         if (round % 50 == 0) size[round / 50 % 3] = 65 + static_cast<int>(random() % 500);
         constexpr std::array kDensities = {0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.97};
         const double density = kDensities[static_cast<std::size_t>(round) % kDensities.size()];
-        const BitVolume solid =
+        const voxel::BitVolume solid =
             test::random_volume(size, density, static_cast<std::uint64_t>(round));
-        const BettiNumbers expected = betti_numbers(solid);
+        const voxel::BettiNumbers expected = voxel::betti_numbers(solid);
         tunnels += expected.tunnels;
         cavities += expected.cavities;
         for (const ThinningMethod method : kMethods) {
             SCOPED_TRACE(std::to_string(round) + " " + std::string(to_string(method)));
-            const BitVolume skeleton = thinned(solid, method);
-            ASSERT_EQ(betti_numbers(skeleton), expected);
+            const voxel::BitVolume skeleton = thinned(solid, method);
+            ASSERT_EQ(voxel::betti_numbers(skeleton), expected);
             ASSERT_TRUE(is_subset(skeleton, solid));
             ASSERT_EQ(removable_voxels(skeleton), 0);
         }
@@ -97,7 +97,7 @@ TEST(Thinning, MakesALineOfABarWithItsWholeLength) {
     for (const Vec3i& size : {Vec3i(4, 4, 100), Vec3i(5, 5, 100), Vec3i(2, 2, 60)}) {
         for (const ThinningMethod method : kMethods) {
             SCOPED_TRACE(std::to_string(size.x()) + " " + std::string(to_string(method)));
-            const BitVolume skeleton = thinned(test::bar(size).volume, method);
+            const voxel::BitVolume skeleton = thinned(test::bar(size).volume, method);
             const Valences v = valences(skeleton);
             EXPECT_EQ(v.ends, 2);
             EXPECT_EQ(v.junctions, 0);
@@ -114,17 +114,18 @@ TEST(Thinning, MakesACircleOfATorus) {
 }
 
 TEST(Thinning, FindsTheTipsOfATree) {
-    const BitVolume skeleton = thinned(test::capsule_tree().volume, ThinningMethod::kAnchored);
+    const voxel::BitVolume skeleton =
+        thinned(test::capsule_tree().volume, ThinningMethod::kAnchored);
     EXPECT_EQ(valences(skeleton).ends, 6);
 }
 
 TEST(Thinning, StaysInTheMiddleOfABar) {
     const test::VolumeShape bar = test::bar({9, 9, 80});
-    const DistanceField distance = distance_transform(bar.volume);
+    const voxel::DistanceField distance = voxel::distance_transform(bar.volume);
     for (const ThinningMethod method : kMethods) {
         SCOPED_TRACE(to_string(method));
-        const BitVolume skeleton = thinned(bar.volume, method);
-        for_each_voxel(skeleton, [&](const Vec3i& v) {
+        const voxel::BitVolume skeleton = thinned(bar.volume, method);
+        voxel::for_each_voxel(skeleton, [&](const Vec3i& v) {
             const int from_end = std::min(v.z() - 2, 81 - v.z());
             if (from_end <= 8) return;
             EXPECT_EQ(distance.squared(v), 25u) << v.transpose();
@@ -135,32 +136,32 @@ TEST(Thinning, StaysInTheMiddleOfABar) {
 TEST(Thinning, CopesWithDegenerateVolumes) {
     for (const ThinningMethod method : kMethods) {
         SCOPED_TRACE(to_string(method));
-        EXPECT_EQ(thinned(BitVolume(), method).count(), 0u);
-        EXPECT_EQ(thinned(BitVolume(Vec3i(3, 4, 5)), method).count(), 0u);
+        EXPECT_EQ(thinned(voxel::BitVolume(), method).count(), 0u);
+        EXPECT_EQ(thinned(voxel::BitVolume(Vec3i(3, 4, 5)), method).count(), 0u);
 
-        BitVolume full(Vec3i(7, 6, 5));
-        for_each_voxel(test::random_volume(full.size(), 1.0, 1),
-                       [&](const Vec3i& v) { full.set(v); });
-        EXPECT_EQ(betti_numbers(thinned(full, method)), (BettiNumbers{1, 0, 0}));
+        voxel::BitVolume full(Vec3i(7, 6, 5));
+        voxel::for_each_voxel(test::random_volume(full.size(), 1.0, 1),
+                              [&](const Vec3i& v) { full.set(v); });
+        EXPECT_EQ(voxel::betti_numbers(thinned(full, method)), (voxel::BettiNumbers{1, 0, 0}));
 
-        BitVolume single(Vec3i(1, 1, 1));
+        voxel::BitVolume single(Vec3i(1, 1, 1));
         single.set(0, 0, 0);
         EXPECT_EQ(thinned(single, method), single);
 
-        BitVolume block(Vec3i(2, 2, 2));
+        voxel::BitVolume block(Vec3i(2, 2, 2));
         for (int i = 0; i < 8; ++i) block.set(i & 1, i >> 1 & 1, i >> 2);
-        const BitVolume thin_block = thinned(block, method);
-        EXPECT_EQ(betti_numbers(thin_block), (BettiNumbers{1, 0, 0}));
+        const voxel::BitVolume thin_block = thinned(block, method);
+        EXPECT_EQ(voxel::betti_numbers(thin_block), (voxel::BettiNumbers{1, 0, 0}));
         EXPECT_LE(thin_block.count(), 2u);
 
-        BitVolume diagonal(Vec3i(65, 65, 65));
+        voxel::BitVolume diagonal(Vec3i(65, 65, 65));
         for (int i = 0; i < 65; ++i) diagonal.set(i, i, i);
         EXPECT_EQ(thinned(diagonal, method), diagonal) << "a thin line is its own skeleton";
     }
 }
 
 TEST(Thinning, TreatsEachComponentOnItsOwn) {
-    BitVolume two(Vec3i(40, 12, 60));
+    voxel::BitVolume two(Vec3i(40, 12, 60));
     for (int z = 2; z < 52; ++z) {
         for (int y = 2; y < 7; ++y) {
             for (int x = 2; x < 7; ++x) {
@@ -171,27 +172,29 @@ TEST(Thinning, TreatsEachComponentOnItsOwn) {
     }
     for (const ThinningMethod method : kMethods) {
         SCOPED_TRACE(to_string(method));
-        const BitVolume skeleton = thinned(two, method);
-        EXPECT_EQ(betti_numbers(skeleton).components, 2);
+        const voxel::BitVolume skeleton = thinned(two, method);
+        EXPECT_EQ(voxel::betti_numbers(skeleton).components, 2);
         EXPECT_EQ(valences(skeleton).ends, 4);
     }
 }
 
 TEST(Thinning, DoesNotDependOnTheOrderOfTheAxesInTipsAndJunctions) {
-    const BitVolume solid = test::capsule_tree().volume;
+    const voxel::BitVolume solid = test::capsule_tree().volume;
     const Valences expected = valences(thinned(solid, ThinningMethod::kAnchored));
     for (const Vec3i& order : {Vec3i(1, 2, 0), Vec3i(2, 1, 0), Vec3i(0, 2, 1)}) {
-        const BitVolume skeleton = thinned(test::permuted(solid, order), ThinningMethod::kAnchored);
+        const voxel::BitVolume skeleton =
+            thinned(test::permuted(solid, order), ThinningMethod::kAnchored);
         EXPECT_EQ(valences(skeleton).ends, expected.ends);
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const BitVolume skeleton = thinned(test::mirrored(solid, axis), ThinningMethod::kAnchored);
+        const voxel::BitVolume skeleton =
+            thinned(test::mirrored(solid, axis), ThinningMethod::kAnchored);
         EXPECT_EQ(valences(skeleton).ends, expected.ends);
     }
 }
 
 TEST(Thinning, GivesTheSameVoxelsEachTime) {
-    const BitVolume solid = test::double_torus().volume;
+    const voxel::BitVolume solid = test::double_torus().volume;
     for (const ThinningMethod method : kMethods) {
         EXPECT_EQ(thinned(solid, method), thinned(solid, method));
     }
@@ -209,4 +212,4 @@ TEST(Thinning, NamesItsMethods) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

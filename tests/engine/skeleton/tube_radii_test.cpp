@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-namespace ossuary {
+namespace ossuary::skeleton {
 namespace {
 
 /// The voxels of a box of y and z extent `y` by `z` about the axis through (·, 20, 20).
-void fill_bar(BitVolume& solid, int x_begin, int x_end, int y, int z) {
+void fill_bar(voxel::BitVolume& solid, int x_begin, int x_end, int y, int z) {
     for (int k = 20 - z / 2; k < 20 - z / 2 + z; ++k) {
         for (int j = 20 - y / 2; j < 20 - y / 2 + y; ++j) {
             for (int i = x_begin; i < x_end; ++i) solid.set(i, j, k);
@@ -31,7 +31,7 @@ SkeletonGraph axis(double x_begin, double x_end, double radius) {
 }
 
 TEST(TubeRadii, AreThoseOfTheCylinderWithTheBarsCrossSection) {
-    BitVolume solid(Vec3i(80, 40, 40));
+    voxel::BitVolume solid(Vec3i(80, 40, 40));
     fill_bar(solid, 10, 70, 6, 10);
     const auto radii = tube_radii(axis(10.0, 70.0, 3.0), solid);
     ASSERT_EQ(radii.size(), 1U);
@@ -43,7 +43,7 @@ TEST(TubeRadii, AreThoseOfTheCylinderWithTheBarsCrossSection) {
 }
 
 TEST(TubeRadii, TellAFlatLimbFromARoundOneOfTheSameInscribedRadius) {
-    BitVolume flat(Vec3i(80, 40, 40)), round(Vec3i(80, 40, 40));
+    voxel::BitVolume flat(Vec3i(80, 40, 40)), round(Vec3i(80, 40, 40));
     fill_bar(flat, 10, 70, 4, 24);
     fill_bar(round, 10, 70, 4, 4);
     const SkeletonGraph graph = axis(10.0, 70.0, 2.0);
@@ -51,7 +51,7 @@ TEST(TubeRadii, TellAFlatLimbFromARoundOneOfTheSameInscribedRadius) {
 }
 
 TEST(TubeRadii, LeaveTheThickBodyToItselfWhereAThinLimbLeavesIt) {
-    BitVolume solid(Vec3i(80, 40, 40));
+    voxel::BitVolume solid(Vec3i(80, 40, 40));
     fill_bar(solid, 0, 30, 20, 20);  // body
     fill_bar(solid, 30, 80, 4, 4);   // limb
     SkeletonGraph graph = axis(0.0, 20.0, 10.0);
@@ -69,9 +69,9 @@ TEST(TubeRadii, LeaveTheThickBodyToItselfWhereAThinLimbLeavesIt) {
 }
 
 TEST(TubeRadii, ChangeLessUnderARoughSurfaceThanInscribedOnes) {
-    BitVolume smooth(Vec3i(80, 40, 40));
+    voxel::BitVolume smooth(Vec3i(80, 40, 40));
     fill_bar(smooth, 10, 70, 8, 8);
-    BitVolume rough = smooth;
+    voxel::BitVolume rough = smooth;
     // Every other voxel of one side missing: the inscribed radius falls from 4 to 3 voxels.
     for (int x = 10; x < 70; x += 2) {
         for (int z = 16; z < 24; ++z) rough.reset(x, 16, z);
@@ -88,7 +88,7 @@ TEST(TubeVolume, IsThatOfACylinder) {
 }
 
 TEST(TubeRadii, OfASkeletonWithoutBranchesAreNone) {
-    BitVolume solid(Vec3i(40, 40, 40));
+    voxel::BitVolume solid(Vec3i(40, 40, 40));
     fill_bar(solid, 10, 20, 10, 10);
     SkeletonGraph point;
     point.nodes.push_back({Vec3(15, 20, 20), 5.0, 0.0, 0});
@@ -96,4 +96,4 @@ TEST(TubeRadii, OfASkeletonWithoutBranchesAreNone) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::skeleton

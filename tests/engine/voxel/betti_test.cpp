@@ -6,7 +6,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 using test::random_volume;
@@ -158,4 +158,4 @@ TEST(BettiNumbers, DoNotDependOnTheAxesOrder) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -4,7 +4,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 TEST(Border, HasExactlyTheVoxelsWithABackgroundFaceNeighbour) {
@@ -26,4 +26,4 @@ TEST(Border, HasExactlyTheVoxelsWithABackgroundFaceNeighbour) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

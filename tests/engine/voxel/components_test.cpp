@@ -4,7 +4,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 TEST(Components, SeparateByFacesWhatTouchesByCorners) {
@@ -65,4 +65,4 @@ TEST(FillCavities, FillsTheHollowBallAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

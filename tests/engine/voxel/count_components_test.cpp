@@ -5,7 +5,7 @@
 #include "engine/voxel/components.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 TEST(CountComponents, FindsAsManyAsLabelling) {
@@ -25,4 +25,4 @@ TEST(CountComponents, FindsAsManyAsLabelling) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

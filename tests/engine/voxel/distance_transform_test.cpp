@@ -9,7 +9,7 @@
 #include "engine/voxel/distance_scan.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 /// The nearest background voxel by trying all, the layer around the volume included.
@@ -133,4 +133,4 @@ TEST(DistanceTransform, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

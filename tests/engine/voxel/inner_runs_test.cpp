@@ -5,7 +5,7 @@
 #include "engine/voxel/components.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 TEST(InnerRuns, CountAsManyCavitiesAsLabellingTheBackground) {
@@ -23,4 +23,4 @@ TEST(InnerRuns, CountAsManyCavitiesAsLabellingTheBackground) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

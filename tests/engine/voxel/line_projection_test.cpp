@@ -8,7 +8,7 @@
 
 #include "engine/voxel/crossing_finder.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 /// A mesh of unrelated triangles of all sizes; some corners on lines, some edges along them.
@@ -101,4 +101,4 @@ TEST(RunningQuotient, IsTheFloorOfTheSum) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

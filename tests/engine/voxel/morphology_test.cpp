@@ -4,7 +4,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 /// Whether the 2x2x2 block from v on is set.
@@ -39,4 +39,4 @@ TEST(Morphology, NearAThickPartIsWithinAStepOfABlock) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -7,7 +7,7 @@
 
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 /// An .npy file with a header of our own wording.
@@ -135,4 +135,4 @@ TEST(Npy, NeverCrashesOnATruncatedOrAlteredFile) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

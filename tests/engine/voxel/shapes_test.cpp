@@ -10,7 +10,7 @@ namespace {
 TEST(BuiltVolumes, HaveTwoEmptyLayersOnEachSide) {
     for (const VolumeShape& shape : volume_shapes()) {
         Vec3i low = shape.volume.size(), high = Vec3i::Zero();
-        for_each_voxel(shape.volume, [&](const Vec3i& v) {
+        voxel::for_each_voxel(shape.volume, [&](const Vec3i& v) {
             low = low.cwiseMin(v);
             high = high.cwiseMax(v);
         });

@@ -9,7 +9,7 @@
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 TEST(VoxelizeBenchmarkModels, HaveTheGenusOfTheirMesh) {
@@ -19,9 +19,9 @@ TEST(VoxelizeBenchmarkModels, HaveTheGenusOfTheirMesh) {
     int checked = 0;
     for (const int id : {1, 21, 41, 130, 145, 165, 325, 345}) {
         const auto path = data / "princeton-segmentation" / "off" / (std::to_string(id) + ".off");
-        const auto read = read_mesh(path);
+        const auto read = mesh::read_mesh(path);
         ASSERT_TRUE(read.ok()) << read.error().message;
-        const MeshReport report = inspect(read->mesh);
+        const mesh::MeshReport report = mesh::inspect(read->mesh);
         if (!report.genus.has_value()) continue;
         const auto solid = voxelize(read->mesh);
         ASSERT_TRUE(solid.ok()) << solid.error().message;
@@ -40,7 +40,7 @@ TEST(VoxelizeBenchmarkModels, GiveOneSolidOfEveryPolygonSoup) {
         const auto path =
             data / "princeton-shape-train" / "off" / ("m" + std::to_string(id) + ".off");
         if (!std::filesystem::exists(path)) continue;
-        const auto read = read_mesh(path);
+        const auto read = mesh::read_mesh(path);
         ASSERT_TRUE(read.ok()) << read.error().message;
         const auto solid = voxelize(read->mesh, {.resolution = 64});
         ASSERT_TRUE(solid.ok()) << id << ": " << solid.error().message;
@@ -54,4 +54,4 @@ TEST(VoxelizeBenchmarkModels, GiveOneSolidOfEveryPolygonSoup) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -10,12 +10,12 @@
 #include "engine/voxel/betti.h"
 #include "tests/support/shapes.h"
 
-namespace ossuary {
+namespace ossuary::voxel {
 namespace {
 
 using test::MeshShape;
 
-VoxelSolid solid_of(const TriangleMesh& mesh, const VoxelizeOptions& options = {}) {
+VoxelSolid solid_of(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options = {}) {
     auto solid = voxelize(mesh, options);
     EXPECT_TRUE(solid.ok()) << (solid.ok() ? "" : solid.error().message);
     return solid.ok() ? std::move(*solid) : VoxelSolid{};
@@ -23,13 +23,13 @@ VoxelSolid solid_of(const TriangleMesh& mesh, const VoxelizeOptions& options = {
 
 std::size_t warned(const VoxelSolid& solid, const std::string& code) {
     std::size_t count = 0;
-    for (const MeshWarning& w : solid.warnings) count += w.code == code ? w.count : 0;
+    for (const mesh::MeshWarning& w : solid.warnings) count += w.code == code ? w.count : 0;
     return count;
 }
 
 /// The winding number by solid angles (van Oosterom & Strackee, 1983): shares nothing with lines
 /// through voxels.
-double winding_number(const TriangleMesh& mesh, const Vec3& p) {
+double winding_number(const mesh::TriangleMesh& mesh, const Vec3& p) {
     double sum = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto corners = mesh.corners(t);
@@ -61,7 +61,7 @@ bool has_empty_border(const BitVolume& volume) {
 TEST(Voxelize, SetsExactlyTheVoxelsWhoseCentreIsInside) {
     for (const MeshShape& shape : test::mesh_shapes()) {
         // Turned, so that no centre lies on a face, where either answer is right.
-        const TriangleMesh mesh = test::transformed(shape.mesh, test::random_rotation(7));
+        const mesh::TriangleMesh mesh = test::transformed(shape.mesh, test::random_rotation(7));
         const VoxelSolid solid = solid_of(mesh, {.resolution = 24, .fill_cavities = false});
         std::size_t wrong = 0;
         // Every third voxel of a row, shifted from row to row.
@@ -111,7 +111,7 @@ TEST(Voxelize, GivesTheTopologyOfTheSolid) {
 }
 
 TEST(Voxelize, DoesNotDependOnTheOrderOfTheMesh) {
-    std::vector<TriangleMesh> meshes;
+    std::vector<mesh::TriangleMesh> meshes;
     for (const MeshShape& shape : test::mesh_shapes()) {
         meshes.push_back(shape.mesh);
         meshes.push_back(test::without_some_triangles(shape.mesh, 0.1, 3));
@@ -119,7 +119,7 @@ TEST(Voxelize, DoesNotDependOnTheOrderOfTheMesh) {
     // Doubled triangles, some of them facing the other way.
     meshes.push_back(test::merged(meshes[2], test::flipped(meshes[3])));
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const TriangleMesh mesh = test::transformed(meshes[i], test::random_rotation(i));
+        const mesh::TriangleMesh mesh = test::transformed(meshes[i], test::random_rotation(i));
         const VoxelSolid solid = solid_of(mesh, {.resolution = 40});
         for (std::uint64_t seed = 0; seed < 3; ++seed) {
             const VoxelSolid again = solid_of(test::renumbered(mesh, seed), {.resolution = 40});
@@ -131,7 +131,7 @@ TEST(Voxelize, DoesNotDependOnTheOrderOfTheMesh) {
 
 TEST(Voxelize, DoesNotDependOnPlaceOrSize) {
     // Coordinates on a coarse grid, so that moving and scaling them is exact.
-    TriangleMesh mesh = test::capsule_tree_mesh();
+    mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     for (Vec3& v : mesh.vertices) v = (v * 1024).array().round() / 1024;
     const BitVolume volume = solid_of(mesh).volume;
     for (const double scale : {0x1p-100, 0x1p-3, 0x1p+100}) {
@@ -143,7 +143,7 @@ TEST(Voxelize, DoesNotDependOnPlaceOrSize) {
 
 TEST(Voxelize, PlacesTheGridOverTheModel) {
     const Mat3 pose = test::random_rotation(5);
-    const TriangleMesh mesh =
+    const mesh::TriangleMesh mesh =
         test::transformed(test::torus_mesh(3, 1), Mat3::Identity(), {9, 8, 7});
     for (const Mat3& rotation : {Mat3(Mat3::Identity()), pose}) {
         const VoxelSolid solid = solid_of(mesh, {.resolution = 50, .rotation = rotation});
@@ -166,13 +166,13 @@ TEST(Voxelize, PlacesTheGridOverTheModel) {
 
 TEST(Voxelize, ARotatedGridEqualsARotatedModel) {
     const Mat3 pose = test::random_rotation(11);
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     EXPECT_EQ(solid_of(mesh, {.rotation = pose}).volume,
               solid_of(test::transformed(mesh, pose.transpose())).volume);
 }
 
 TEST(Voxelize, AMirroredGridEqualsAMirroredModel) {
-    const TriangleMesh mesh = test::capsule_tree_mesh();
+    const mesh::TriangleMesh mesh = test::capsule_tree_mesh();
     const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
     const VoxelSolid solid = solid_of(mesh, {.rotation = mirror});
     EXPECT_EQ(solid.volume, solid_of(test::transformed(mesh, mirror)).volume);
@@ -181,9 +181,9 @@ TEST(Voxelize, AMirroredGridEqualsAMirroredModel) {
 }
 
 TEST(Voxelize, UnitesOverlappingAndNestedPartsWhicheverWayTheyFace) {
-    const TriangleMesh a = test::icosphere_mesh({0, 0, 0}, 1);
-    const TriangleMesh b = test::icosphere_mesh({0.9, 0.3, 0.1}, 0.7);
-    const TriangleMesh c = test::icosphere_mesh({0.1, 0, 0}, 0.5);
+    const mesh::TriangleMesh a = test::icosphere_mesh({0, 0, 0}, 1);
+    const mesh::TriangleMesh b = test::icosphere_mesh({0.9, 0.3, 0.1}, 0.7);
+    const mesh::TriangleMesh c = test::icosphere_mesh({0.1, 0, 0}, 0.5);
     const auto all = [&](bool fa, bool fb, bool fc) {
         return test::merged(test::merged(fa ? test::flipped(a) : a, fb ? test::flipped(b) : b),
                             fc ? test::flipped(c) : c);
@@ -201,7 +201,7 @@ TEST(Voxelize, UnitesOverlappingAndNestedPartsWhicheverWayTheyFace) {
 }
 
 TEST(Voxelize, TakesTrianglesThatFaceEitherWay) {
-    TriangleMesh mesh = test::transformed(test::torus_mesh(3, 1), test::random_rotation(1));
+    mesh::TriangleMesh mesh = test::transformed(test::torus_mesh(3, 1), test::random_rotation(1));
     const BitVolume volume = solid_of(mesh).volume;
     for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
         std::swap(mesh.triangles[t][0], mesh.triangles[t][2]);
@@ -213,8 +213,9 @@ TEST(Voxelize, TakesTrianglesThatFaceEitherWay) {
 }
 
 TEST(Voxelize, WeldsSeparatePolygons) {
-    const TriangleMesh mesh = test::transformed(test::torus_mesh(3, 1), test::random_rotation(2));
-    TriangleMesh soup;
+    const mesh::TriangleMesh mesh =
+        test::transformed(test::torus_mesh(3, 1), test::random_rotation(2));
+    mesh::TriangleMesh soup;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto first = static_cast<std::uint32_t>(soup.vertices.size());
         for (const Vec3& corner : mesh.corners(t)) soup.vertices.push_back(corner);
@@ -244,7 +245,7 @@ TEST(Voxelize, MakesAnOpenBoxTheSameSolidAsAClosedOne) {
 TEST(Voxelize, SurvivesMissingTriangles) {
     for (const MeshShape& shape : test::mesh_shapes()) {
         if (shape.mesh.triangles.size() < 100) continue;
-        const TriangleMesh mesh = test::transformed(shape.mesh, test::random_rotation(3));
+        const mesh::TriangleMesh mesh = test::transformed(shape.mesh, test::random_rotation(3));
         const BitVolume whole = solid_of(mesh).volume;
         for (const double share : {0.02, 0.1}) {
             const VoxelSolid holed = solid_of(test::without_some_triangles(mesh, share, 17));
@@ -277,8 +278,8 @@ TEST(Voxelize, KeepsATiltedPlateWhole) {
 }
 
 TEST(Voxelize, SamplesAtCentresOnlyWhenAsked) {
-    const TriangleMesh mesh = test::merged(test::icosphere_mesh({0, 0, 0}, 1),
-                                           test::capsule_mesh({0.9, 0, 0}, {3, 0.5, 1}, 0.002, 8));
+    const mesh::TriangleMesh mesh = test::merged(
+        test::icosphere_mesh({0, 0, 0}, 1), test::capsule_mesh({0.9, 0, 0}, {3, 0.5, 1}, 0.002, 8));
     VoxelizeOptions sampling = {.resolution = 64};
     sampling.keep_thin_parts = sampling.fill_cavities = sampling.close_small_tunnels = false;
     sampling.bridge_gap = 0;
@@ -296,7 +297,7 @@ TEST(Voxelize, SamplesAtCentresOnlyWhenAsked) {
         }
     }
     EXPECT_GT(inside, solid.volume.count() - 40);
-    const TriangleMesh sheet =
+    const mesh::TriangleMesh sheet =
         test::transformed(test::box_mesh({0, 0, 0}, {4, 3, 1e-7}), test::random_rotation(1));
     const auto nothing = voxelize(sheet, sampling);
     ASSERT_FALSE(nothing.ok());
@@ -306,11 +307,11 @@ TEST(Voxelize, SamplesAtCentresOnlyWhenAsked) {
 TEST(Voxelize, TakesAClosedMeshAsItComes) {
     // Two boxes that share the place of an edge but no vertex, one inside out: to weld them would
     // make one part of winding numbers 1 and -1.
-    const TriangleMesh two = test::merged(test::box_mesh({0, 0, 0}, {1, 1, 1}),
-                                          test::flipped(test::box_mesh({1, 1, 0}, {2, 2, 1})));
+    const mesh::TriangleMesh two = test::merged(
+        test::box_mesh({0, 0, 0}, {1, 1, 1}), test::flipped(test::box_mesh({1, 1, 0}, {2, 2, 1})));
     EXPECT_EQ(solid_of(two, {.resolution = 32}).volume.count(), 2u * 16 * 16 * 16);
     // A box twice over, face by face: repeated triangles are told and left out.
-    TriangleMesh twice = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    mesh::TriangleMesh twice = test::box_mesh({0, 0, 0}, {1, 1, 1});
     const auto triangles = twice.triangles;
     for (const auto& [a, b, c] : triangles) twice.triangles.push_back({a, c, b});
     const VoxelSolid solid = solid_of(twice, {.resolution = 32});
@@ -320,7 +321,7 @@ TEST(Voxelize, TakesAClosedMeshAsItComes) {
 
 TEST(Voxelize, KeepsWiresAndAntennae) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        const TriangleMesh mesh =
+        const mesh::TriangleMesh mesh =
             test::transformed(test::merged(test::icosphere_mesh({0, 0, 0}, 1),
                                            test::capsule_mesh({0.9, 0, 0}, {3, 0.5, 1}, 0.002, 8)),
                               test::random_rotation(seed));
@@ -338,7 +339,7 @@ TEST(Voxelize, KeepsWiresAndAntennae) {
 }
 
 TEST(Voxelize, TakesDegenerateMeshes) {
-    TriangleMesh triangle;
+    mesh::TriangleMesh triangle;
     triangle.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0.5}, {7, 7, 7}};
     triangle.triangles = {{0, 1, 2}};
     triangle.face_of_triangle = {0};
@@ -364,7 +365,7 @@ TEST(Voxelize, TakesDegenerateMeshes) {
 }
 
 TEST(Voxelize, TakesHugeAndTinyCoordinatesAndLongShapes) {
-    const TriangleMesh mesh = test::torus_mesh(3, 1);
+    const mesh::TriangleMesh mesh = test::torus_mesh(3, 1);
     for (const double scale : {1e-30, 1e30}) {
         const VoxelSolid solid = solid_of(test::transformed(mesh, scale * Mat3::Identity()));
         EXPECT_EQ(betti_numbers(solid.volume), (BettiNumbers{1, 1, 0})) << scale;
@@ -380,12 +381,12 @@ TEST(Voxelize, TakesHugeAndTinyCoordinatesAndLongShapes) {
 }
 
 TEST(Voxelize, RefusesWhatHasNoExtentAndOptionsOutOfRange) {
-    const auto code = [](const TriangleMesh& mesh, const VoxelizeOptions& options = {}) {
+    const auto code = [](const mesh::TriangleMesh& mesh, const VoxelizeOptions& options = {}) {
         const auto result = voxelize(mesh, options);
         EXPECT_FALSE(result.ok());
         return result.ok() ? ErrorCode::kInternal : result.error().code;
     };
-    const TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const mesh::TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 1, 1});
     EXPECT_EQ(code({}), ErrorCode::kMeshEmpty);
     EXPECT_EQ(code(test::box_mesh({1, 2, 3}, {1, 2, 3})), ErrorCode::kMeshNoExtent);
     EXPECT_EQ(code(box, {.resolution = 7}), ErrorCode::kInvalidArgument);
@@ -393,7 +394,7 @@ TEST(Voxelize, RefusesWhatHasNoExtentAndOptionsOutOfRange) {
     EXPECT_EQ(code(box, {.rotation = 2 * Mat3::Identity()}), ErrorCode::kInvalidArgument);
     EXPECT_EQ(code(box, {.rotation = Mat3::Ones()}), ErrorCode::kInvalidArgument);
     EXPECT_EQ(code(box, {.bridge_gap = 5}), ErrorCode::kInvalidArgument);
-    TriangleMesh endless = box;
+    mesh::TriangleMesh endless = box;
     endless.vertices[3].x() = std::numeric_limits<double>::infinity();
     EXPECT_EQ(code(endless), ErrorCode::kInvalidArgument);
     endless.vertices[3].x() = std::numeric_limits<double>::quiet_NaN();
@@ -402,10 +403,10 @@ TEST(Voxelize, RefusesWhatHasNoExtentAndOptionsOutOfRange) {
 }
 
 TEST(Voxelize, BridgesSmallGapsAndDropsSpecks) {
-    const TriangleMesh a = test::box_mesh({0, 0, 0}, {10, 10, 10});
-    const TriangleMesh near = test::box_mesh({10.15, 2, 2}, {20, 8, 8});
-    const TriangleMesh speck = test::box_mesh({15, 15, 15}, {15.5, 15.5, 15.5});
-    const TriangleMesh far = test::box_mesh({12, 12, 12}, {18, 18, 18});
+    const mesh::TriangleMesh a = test::box_mesh({0, 0, 0}, {10, 10, 10});
+    const mesh::TriangleMesh near = test::box_mesh({10.15, 2, 2}, {20, 8, 8});
+    const mesh::TriangleMesh speck = test::box_mesh({15, 15, 15}, {15.5, 15.5, 15.5});
+    const mesh::TriangleMesh far = test::box_mesh({12, 12, 12}, {18, 18, 18});
     VoxelSolid solid = solid_of(test::merged(a, near));
     EXPECT_EQ(betti_numbers(solid.volume), (BettiNumbers{1, 0, 0}));
     EXPECT_EQ(warned(solid, "bridged_components"), 1u);
@@ -423,11 +424,11 @@ TEST(Voxelize, BridgesSmallGapsAndDropsSpecks) {
 
 TEST(Voxelize, ClosesTheTunnelOfNearlyTouchingArms) {
     // A ring with a slit of half a voxel, crossed by a thin tie: two narrow tunnels of the grid.
-    const TriangleMesh left = test::box_mesh({0, 0, 0}, {40, 10, 10});
-    const TriangleMesh right = test::box_mesh({0, 11.5, 0}, {40, 21, 10});
-    const TriangleMesh ties =
+    const mesh::TriangleMesh left = test::box_mesh({0, 0, 0}, {40, 10, 10});
+    const mesh::TriangleMesh right = test::box_mesh({0, 11.5, 0}, {40, 21, 10});
+    const mesh::TriangleMesh ties =
         test::merged(test::box_mesh({0, 9, 2}, {3, 13, 8}), test::box_mesh({6, 9, 2}, {8, 13, 8}));
-    const TriangleMesh mesh = test::merged(test::merged(left, right), ties);
+    const mesh::TriangleMesh mesh = test::merged(test::merged(left, right), ties);
     EXPECT_EQ(betti_numbers(solid_of(mesh, {.resolution = 40, .close_small_tunnels = false}).volume)
                   .tunnels,
               1);
@@ -440,4 +441,4 @@ TEST(Voxelize, ClosesTheTunnelOfNearlyTouchingArms) {
 }
 
 }  // namespace
-}  // namespace ossuary
+}  // namespace ossuary::voxel

@@ -63,7 +63,7 @@ Picture decode(const std::vector<std::uint8_t>& png) {
     return picture;
 }
 
-Picture draw(const TriangleMesh& mesh, const ThumbnailOptions& options = {}) {
+Picture draw(const mesh::TriangleMesh& mesh, const ThumbnailOptions& options = {}) {
     const auto png = render_thumbnail(mesh, options);
     EXPECT_TRUE(png) << png.error().message;
     return png ? decode(*png) : Picture{};
@@ -89,7 +89,7 @@ TEST(Thumbnail, FillsThePictureUpToTheMargin) {
     ThumbnailOptions options;
     options.size = 200;
     options.margin = 0.1;
-    for (const TriangleMesh& mesh :
+    for (const mesh::TriangleMesh& mesh :
          {cube_mesh(), torus_mesh(), moved(cube_mesh(), test::some_rotation(), 1e-6, Vec3(5, 5, 5)),
           moved(sphere_mesh(), Mat3::Identity(), 1e9, Vec3(-3e10, 1, 1))}) {
         const auto [left, top, right, bottom] = draw(mesh, options).extent();
@@ -139,8 +139,8 @@ TEST(Thumbnail, ShadesCurvedSurfacesSmoothlyAndKeepsCreases) {
 }
 
 TEST(Thumbnail, DoesNotCareWhichWayTrianglesFace) {
-    const TriangleMesh mesh = torus_mesh();
-    TriangleMesh turned = mesh;
+    const mesh::TriangleMesh mesh = torus_mesh();
+    mesh::TriangleMesh turned = mesh;
     for (std::size_t t = 0; t < turned.triangles.size(); t += 2) {
         std::swap(turned.triangles[t][1], turned.triangles[t][2]);
     }
@@ -148,21 +148,21 @@ TEST(Thumbnail, DoesNotCareWhichWayTrianglesFace) {
 }
 
 TEST(Thumbnail, ShadesASoupLikeTheSurfaceItMakesUp) {
-    const TriangleMesh mesh = torus_mesh();
+    const mesh::TriangleMesh mesh = torus_mesh();
     EXPECT_EQ(draw(mesh).rgba, draw(test::as_soup(mesh)).rgba);
 }
 
 TEST(Thumbnail, IsTheSameEveryTimeWhereverAndHoweverLargeTheModel) {
-    const TriangleMesh mesh = torus_mesh(50, 30);
+    const mesh::TriangleMesh mesh = torus_mesh(50, 30);
     EXPECT_EQ(*render_thumbnail(mesh), *render_thumbnail(mesh));
-    const TriangleMesh elsewhere = moved(mesh, Mat3::Identity(), 1000, Vec3(1e5, 2e5, -3e5));
+    const mesh::TriangleMesh elsewhere = moved(mesh, Mat3::Identity(), 1000, Vec3(1e5, 2e5, -3e5));
     EXPECT_LT(mean_difference(draw(mesh), draw(elsewhere)), 0.05);
     EXPECT_LT(mean_difference(draw(mesh), draw(test::renumbered(mesh, 4))), 0.05);
 }
 
 TEST(Thumbnail, DoesNotLoseWiresThinnerThanAPixel) {
     // An upright rod, three tenths of a pixel wide, beside a cube.
-    TriangleMesh rod = cube_mesh();
+    mesh::TriangleMesh rod = cube_mesh();
     for (Vec3& vertex : rod.vertices) vertex = Vec3(2 + 0.0026 * vertex.x(), 2 * vertex.y(), 0);
     ThumbnailOptions options;
     options.towards_viewer = Vec3::UnitZ();
@@ -191,7 +191,7 @@ TEST(Thumbnail, PaintsABackgroundWhereOneIsAskedFor) {
 }
 
 TEST(Thumbnail, LooksFromWhereItIsTold) {
-    TriangleMesh flag = cube_mesh();
+    mesh::TriangleMesh flag = cube_mesh();
     for (Vec3& vertex : flag.vertices) vertex = vertex.cwiseProduct(Vec3(1, 2, 0.1));
     ThumbnailOptions options;
     options.towards_viewer = Vec3::UnitZ();
@@ -205,8 +205,8 @@ TEST(Thumbnail, LooksFromWhereItIsTold) {
 }
 
 TEST(Thumbnail, RefusesWhatHasNoPicture) {
-    EXPECT_EQ(render_thumbnail(TriangleMesh{}).error().code, ErrorCode::kMeshEmpty);
-    TriangleMesh line;
+    EXPECT_EQ(render_thumbnail(mesh::TriangleMesh{}).error().code, ErrorCode::kMeshEmpty);
+    mesh::TriangleMesh line;
     line.vertices = {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)};
     line.triangles = {{0, 1, 2}, {0, 0, 1}};
     EXPECT_EQ(render_thumbnail(line).error().code, ErrorCode::kMeshNoExtent);
@@ -226,7 +226,7 @@ TEST(Thumbnail, RefusesWhatHasNoPicture) {
 
 TEST(Thumbnail, TakesFlatDegenerateAndEnormousModels) {
     EXPECT_GT(draw(test::square_mesh(3)).coverage(), 0.1);
-    TriangleMesh mesh = cube_mesh();
+    mesh::TriangleMesh mesh = cube_mesh();
     mesh.triangles.push_back({0, 0, 5});
     mesh.triangles.push_back({1, 7, 1});
     mesh.vertices.emplace_back(1e60, 0, 0);  // that nothing uses
@@ -244,7 +244,7 @@ TEST(Thumbnail, DrawsSomeOfEachBenchmarkCollection) {
     for (const char* name :
          {"princeton-segmentation/off/1.off", "princeton-segmentation/off/385.off",
           "princeton-shape-train/off/m1544.off", "princeton-shape-train/off/m985.off"}) {
-        const auto read = read_mesh(data / name);
+        const auto read = mesh::read_mesh(data / name);
         ASSERT_TRUE(read) << read.error().message;
         const Picture picture = draw(read->mesh);
         EXPECT_GT(picture.coverage(), 0.02) << name;
