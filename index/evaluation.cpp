@@ -120,8 +120,10 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection,
 }
 
 /// The statistics of just the evaluated models, as if nothing else were in the index.
-Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot, const Selection& selection,
-                                            ranking::DescriptorSpan descriptors, const ranking::RankOptions& rank) {
+Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot,
+                                                     const Selection& selection,
+                                                     ranking::DescriptorSpan descriptors,
+                                                     const ranking::RankOptions& rank) {
     if (rank.ranker == ranking::RankerKind::kChainCode) return ranking::CollectionStatistics{};
     bool whole = selection.positions.size() == snapshot.size();
     for (std::size_t i = 0; whole && i < selection.positions.size(); ++i) {
@@ -131,7 +133,8 @@ Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot, c
     return ranking::collection_statistics(descriptors, rank.jobs, rank.stop);
 }
 
-Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection, const ranking::RankOptions& rank) {
+Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection,
+                           const ranking::RankOptions& rank) {
     std::vector<const descriptor::ModelDescriptor*> descriptors;
     for (const std::size_t position : selection.positions) {
         descriptors.push_back(snapshot.descriptors()[position]);

@@ -340,7 +340,16 @@ Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_t
     }
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;
-    return store.put(*std::move(model));
+    auto id = store.put(*std::move(model));
+    if (!id) return id.error();
+    const auto state = store.collection_state();
+    if (!state) return state.error();
+    if (state->statistics < 0) {
+        const auto updated = update_statistics(store, 1, stop);
+        // The model is in; who starts again makes them.
+        if (!updated && updated.error().code != ErrorCode::kCancelled) return updated.error();
+    }
+    return id;
 }
 
 Result<void> update_statistics(Store& store, int jobs, const std::stop_token& stop) {

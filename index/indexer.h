@@ -82,8 +82,8 @@ struct UploadedModel {
     std::string class_name;
 };
 
-/// Adds one model; the same bytes uploaded again give the same id. Statistics stay as they are:
-/// rankers judge a model that they do not know by its own distances.
+/// Adds one model; the same bytes uploaded again give the same id. Statistics are made if there are
+/// none; rankers judge a model that they do not know by its own distances.
 /// Errors: those of read_mesh and describe (nothing is recorded), cancelled, those of the store.
 Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
 

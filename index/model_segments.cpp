@@ -32,7 +32,8 @@ mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
 }
 
 /// For each part the branch of the skeleton that most of its area is mapped to, -1 without one.
-std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh, const ModelSegments& segments,
+std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh,
+                                            const ModelSegments& segments,
                                             const skeleton::SkeletonGraph& skeleton,
                                             const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::int32_t>(segments.parts.size(), -1);
@@ -52,7 +53,8 @@ std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh, cons
 
 }  // namespace
 
-Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& preview,
+Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
+                                    const mesh::TriangleMesh& preview,
                                     const skeleton::SkeletonGraph& skeleton, std::stop_token stop) {
     Result<decomposition::Decomposition> decomposition = decomposition::decompose(mesh, {}, stop);
     if (!decomposition) return decomposition.error();
@@ -76,8 +78,10 @@ Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& s
         return {ErrorCode::kIndexCorrupt, "labels and triangles of the preview differ in number"};
     }
     const mesh::TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
-    const decomposition::Segmentation parts{segments.labels, static_cast<std::uint32_t>(segments.parts.size())};
-    const decomposition::Rig rig = decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
+    const decomposition::Segmentation parts{segments.labels,
+                                            static_cast<std::uint32_t>(segments.parts.size())};
+    const decomposition::Rig rig =
+        decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
     if (stop.stop_requested()) return {ErrorCode::kCancelled, "making the rig was given up"};
     return to_glb(welded, parts, rig, name);
 }

@@ -25,15 +25,17 @@ ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token sto
 }
 
 /// The models that may be hits, nearest first.
-Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
-                                        const SearchOptions& options, ModelId left_out) {
+Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
+                                                 const descriptor::ModelDescriptor& query,
+                                                 const SearchOptions& options, ModelId left_out) {
     // One more, because the model that is left out is among the nearest. A class is looked for in
     // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
     ranking::NearestOptions nearest;
     const bool all = options.limit == 0 || !options.class_filter.empty();
     nearest.count = all ? snapshot.size() : options.limit + 1;
-    const auto models = ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
-                                       snapshot.statistics(), options.rank, nearest);
+    const auto models =
+        ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
+                                snapshot.statistics(), options.rank, nearest);
     if (!models) return models.error();
     std::vector<ranking::RankedModel> hits;
     for (const ranking::RankedModel& found : *models) {
@@ -66,8 +68,8 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
     if (options.with_match) {
         for (Hit& hit : result.hits) {
             const auto position = snapshot.find(hit.id);
-            auto match = ranking::explain(query, *snapshot.descriptors()[*position], snapshot.statistics(),
-                                 options.rank);
+            auto match = ranking::explain(query, *snapshot.descriptors()[*position],
+                                          snapshot.statistics(), options.rank);
             if (!match) return match.error();
             hit.parts = std::move(match->parts);
             hit.matched_nodes = match->correspondence.nodes.size();
@@ -102,8 +104,8 @@ Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::Trian
     if (!first) return first.error();
     auto second = descriptor::describe(b, describe_options(parameters), stop);
     if (!second) return second.error();
-    auto match =
-        ranking::explain(first->descriptor, second->descriptor, {}, stoppable(options, std::move(stop)));
+    auto match = ranking::explain(first->descriptor, second->descriptor, {},
+                                  stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
     comparison.match = *std::move(match);
@@ -208,7 +210,7 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOp
     const std::size_t first = *models.find(a);
     const std::size_t second = *models.find(b);
     auto match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
-                         models.statistics(), stoppable(options, std::move(stop)));
+                                  models.statistics(), stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
     comparison.match = *std::move(match);

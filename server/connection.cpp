@@ -60,8 +60,8 @@ Connection::Io Connection::receive(char* data, std::size_t size, std::size_t& go
 Connection::Io Connection::fill(std::size_t most) {
     std::array<char, 16384> chunk;
     std::size_t got = 0;
-    const Io outcome = receive(
-        chunk.data(), std::min(chunk.size(), most - std::min(most, buffer_.size())), got);
+    const Io outcome =
+        receive(chunk.data(), std::min(chunk.size(), most - std::min(most, buffer_.size())), got);
     if (outcome == Io::kDone) buffer_.append(chunk.data(), got);
     return outcome;
 }

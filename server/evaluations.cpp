@@ -88,7 +88,8 @@ std::shared_ptr<Evaluations::Task> Evaluations::task_for(const Key& key, const S
     // Those of earlier revisions that nobody waits for any more will not be asked for again.
     if (!tasks_.empty()) {
         const auto superseded = [&](const std::shared_ptr<Task>& task) {
-            return task->waiting == 0 && std::get<index::Revision>(task->key) < snapshot->revision();
+            return task->waiting == 0 &&
+                   std::get<index::Revision>(task->key) < snapshot->revision();
         };
         tasks_.erase(std::remove_if(std::next(tasks_.begin()), tasks_.end(), superseded),
                      tasks_.end());

@@ -30,9 +30,9 @@ Result<Listener> listen_on(const std::string& host, int port) {
         listener.port = binder.bind_to_port(host, port) ? port : -1;
     }
     if (listener.port <= 0) {
-        return {ErrorCode::kInvalidArgument, "cannot listen on " + host + ":" +
-                                                 std::to_string(port) + ": " +
-                                                 (errno != 0 ? std::strerror(errno) : "no address")};
+        return {ErrorCode::kInvalidArgument,
+                "cannot listen on " + host + ":" + std::to_string(port) + ": " +
+                    (errno != 0 ? std::strerror(errno) : "no address")};
     }
     // The library asks for a backlog of 5, which a browser alone can fill.
     ::listen(listener.socket, 512);

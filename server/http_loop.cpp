@@ -121,9 +121,8 @@ void HttpLoop::open(int socket) {
     entry.self = std::prev(entries_.end());
     ++shared_.connections;
     watch(socket, EPOLL_CTL_ADD, kOnce, &entry);
-    move_on(entry, [room](Session& session) {
-        return room ? session.resume() : session.turn_away();
-    });
+    move_on(entry,
+            [room](Session& session) { return room ? session.resume() : session.turn_away(); });
 }
 
 template <typename Call>

@@ -211,10 +211,9 @@ std::optional<Response> Session::judge() {
         return refused(problem(kBodyUnexpected, head.method + " takes no body."));
     }
     if (head.content_length > most) {
-        return refused(problem(kPayloadTooLarge, "The body has " +
-                                                     std::to_string(head.content_length) +
-                                                     " bytes; at most " + std::to_string(most) +
-                                                     " are taken."));
+        return refused(problem(kPayloadTooLarge,
+                               "The body has " + std::to_string(head.content_length) +
+                                   " bytes; at most " + std::to_string(most) + " are taken."));
     }
     if (!turn_->room.take(static_cast<std::size_t>(head.content_length))) {
         return refused(problem(kOverloaded, "Too many uploads are under way."));
@@ -241,8 +240,8 @@ Session::Wants Session::begin_body() {
 Session::Wants Session::read_body() {
     std::string& body = turn_->request.body;
     const std::size_t before = body.size();
-    const Io outcome = connection_.read_into(
-        body, static_cast<std::size_t>(turn_->request.head.content_length));
+    const Io outcome =
+        connection_.read_into(body, static_cast<std::size_t>(turn_->request.head.content_length));
     if (body.size() > before) moved_ = Clock::now();
     switch (outcome) {
         case Io::kWait:

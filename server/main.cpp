@@ -52,8 +52,7 @@ void unblock_signals() {
     pthread_sigmask(SIG_UNBLOCK, &ending, nullptr);
 }
 
-/// glibc gives each of eight threads a processor a heap of its own and hands none of them back:
-/// docs/operations.md has what the server grows to with that and with two.
+/// glibc gives many threads a heap of their own each and hands little of those back.
 void hold_memory_down() { mallopt(M_ARENA_MAX, 2); }
 
 std::string address(const ossuary::server::ServerOptions& options, int port) {

@@ -28,8 +28,8 @@ struct Server::Parts {
           slots(static_cast<std::size_t>(resolve_jobs(static_cast<int>(options.searches))),
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
-          service{options,     log,   metrics,       searcher, slots,
-                  evaluations, files, std::string(), nullptr,  nullptr, random_word()},
+          service{options, log,           metrics, searcher, slots,        evaluations,
+                  files,   std::string(), nullptr, nullptr,  random_word()},
           application(service),
           http(options.http, application) {}
 

@@ -51,7 +51,8 @@ void StatisticsUpdater::work(const std::stop_token& stop) {
                        updated.error().message);
         }
         lock.lock();
-        requested_.wait_for(lock, stop, std::chrono::duration<double, std::milli>(watch.elapsed_ms()),
+        requested_.wait_for(lock, stop,
+                            std::chrono::duration<double, std::milli>(watch.elapsed_ms()),
                             [] { return false; });
     }
 }

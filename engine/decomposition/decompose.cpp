@@ -75,7 +75,8 @@ Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& 
                        const std::stop_token& stop, Decomposition& result) {
     Stopwatch watch;
     Labels labels;
-    labels.part_of_triangle = map_surface(model.mesh, result.skeleton, {.seed = options.seed}, stop);
+    labels.part_of_triangle =
+        map_surface(model.mesh, result.skeleton, {.seed = options.seed}, stop);
     labels.branch_of_triangle.assign(labels.part_of_triangle.size(), -1);
     if (!result.skeleton.branches.empty()) {
         std::copy(labels.part_of_triangle.begin(), labels.part_of_triangle.end(),

@@ -32,7 +32,8 @@ std::uint32_t label_of(const mesh::TriangleMesh::Triangle& triangle,
 
 }  // namespace
 
-std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
+std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
+                                       const skeleton::SkeletonGraph& skeleton,
                                        const MapSurfaceOptions& options,
                                        const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::uint32_t>(mesh.triangles.size(), 0);

@@ -23,7 +23,8 @@ struct MapSurfaceOptions {
 /// @param mesh      vertices told apart by index: weld a soup first
 /// @param skeleton  refined, in the mesh's units; without branches everything maps to 0
 /// @returns the branch of each triangle; without meaning once asked to stop
-std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
+std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
+                                       const skeleton::SkeletonGraph& skeleton,
                                        const MapSurfaceOptions& options = {},
                                        const std::stop_token& stop = {});
 

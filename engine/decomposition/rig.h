@@ -39,7 +39,7 @@ inline constexpr int kRigSmoothing = 12;
 /// surface, `smoothing` times half to the neighbours, and the four largest kept.
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint
 /// @param stop      once asked to stop, it returns soon, without weights
-Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton, int smoothing = kRigSmoothing,
-             const std::stop_token& stop = {});
+Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
+             int smoothing = kRigSmoothing, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

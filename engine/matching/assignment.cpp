@@ -8,8 +8,7 @@
 namespace ossuary::matching {
 
 std::span<const std::uint32_t> Assignment::solve(std::span<const float> costs, std::size_t rows,
-                                                 std::size_t columns,
-                                                 const std::stop_token& stop) {
+                                                 std::size_t columns, const std::stop_token& stop) {
     assert(rows <= columns && costs.size() >= rows * columns);
     column_of_row_.resize(rows);
     if (rows == 0) return column_of_row_;

@@ -26,7 +26,8 @@ double PairMeter::skeleton(const descriptor::ModelDescriptor& a,
         return matching::skeleton_distance(a.skeleton, b.skeleton, skeleton_options_,
                                            skeleton_workspace_);
     }
-    const matching::Match match = matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
+    const matching::Match match =
+        matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
     return match.distance +
            weight * matching::pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
 }

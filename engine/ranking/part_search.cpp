@@ -20,8 +20,8 @@ matching::PartQuery part_query(const descriptor::ModelDescriptor& part,
 
 }  // namespace
 
-Result<std::vector<double>> part_distances(const descriptor::ModelDescriptor& part, DescriptorSpan collection,
-                                           const RankOptions& options) {
+Result<std::vector<double>> part_distances(const descriptor::ModelDescriptor& part,
+                                           DescriptorSpan collection, const RankOptions& options) {
     const matching::PartQuery query = part_query(part, options);
     std::vector<double> distances(collection.size());
     parallel_for((collection.size() + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
@@ -35,9 +35,11 @@ Result<std::vector<double>> part_distances(const descriptor::ModelDescriptor& pa
     return distances;
 }
 
-Result<matching::Match> explain_part(const descriptor::ModelDescriptor& part, const descriptor::ModelDescriptor& whole,
-                           const RankOptions& options) {
-    matching::Match match = matching::match_part(part_query(part, options), whole.skeleton, options.stop);
+Result<matching::Match> explain_part(const descriptor::ModelDescriptor& part,
+                                     const descriptor::ModelDescriptor& whole,
+                                     const RankOptions& options) {
+    matching::Match match =
+        matching::match_part(part_query(part, options), whole.skeleton, options.stop);
     if (options.stop.stop_requested()) return cancelled();
     return match;
 }

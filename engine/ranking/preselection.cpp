@@ -107,7 +107,8 @@ private:
     FusionSide side_;
 };
 
-Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query,
+                                            DescriptorSpan collection,
                                             const CollectionStatistics& statistics,
                                             const RankOptions& options, std::size_t count) {
     const auto distances = rank_distances(query, collection, statistics, options);

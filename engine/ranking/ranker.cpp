@@ -110,18 +110,19 @@ std::vector<matching::DistancePart> split(double share, const matching::Match& m
     return parts;
 }
 
-matching::Match explain_whole(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
-                    const CollectionStatistics& statistics, const RankOptions& options) {
+matching::Match explain_whole(const descriptor::ModelDescriptor& query,
+                              const descriptor::ModelDescriptor& other,
+                              const CollectionStatistics& statistics, const RankOptions& options) {
     PairMeter meter(options);
     if (options.ranker == RankerKind::kChainCode) {
-        return matching::match_chain_codes(query.skeleton, other.skeleton, meter.chain_code_options(),
-                                 options.stop);
+        return matching::match_chain_codes(query.skeleton, other.skeleton,
+                                           meter.chain_code_options(), options.stop);
     }
-    matching::Match match =
-        matching::match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options(), options.stop);
+    matching::Match match = matching::match_skeletons(query.skeleton, other.skeleton,
+                                                      meter.skeleton_options(), options.stop);
     if (const double weight = meter.pose_weight(); weight > 0.0) {
         const double pose = weight * matching::pose_distance(query.skeleton, other.skeleton,
-                                                   match.correspondence, options.stop);
+                                                             match.correspondence, options.stop);
         match.parts.push_back({"pose", pose});
         match.distance += pose;
     }
@@ -163,7 +164,8 @@ Result<RankerKind> parse_ranker(std::string_view name) {
             "ranker '" + std::string(name) + "'; expected hybrid, skeleton or chain-code"};
 }
 
-Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query,
+                                           DescriptorSpan collection,
                                            const CollectionStatistics& statistics,
                                            const RankOptions& options) {
     assert(!(options.part && options.rerank));
@@ -176,7 +178,8 @@ Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& qu
             PairMeter meter(options);
             std::vector<double> row(others.size());
             for (std::size_t k = 0; k < others.size() && !options.stop.stop_requested(); ++k) {
-                row[k] = collection_distance(meter, collection, sides, options.ranker, i, others[k]);
+                row[k] =
+                    collection_distance(meter, collection, sides, options.ranker, i, others[k]);
             }
             return row;
         };
@@ -225,8 +228,10 @@ Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
     return matrix;
 }
 
-Result<matching::Match> explain(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
-                      const CollectionStatistics& statistics, const RankOptions& options) {
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
+                                const descriptor::ModelDescriptor& other,
+                                const CollectionStatistics& statistics,
+                                const RankOptions& options) {
     if (options.part) return explain_part(query, other, options);
     matching::Match match = explain_whole(query, other, statistics, options);
     if (options.stop.stop_requested()) return cancelled();

@@ -28,12 +28,13 @@ inline constexpr double kDefaultPose = 0.15;
 struct RankOptions {
     RankerKind ranker = RankerKind::kHybrid;
     double pose = kDefaultPose;  ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
-    bool rerank = false;  ///< unsupervised re-ranking over the collection
+    bool rerank = false;         ///< unsupervised re-ranking over the collection
     /// The query is looked for as a part of each model (match_part.h), by skeletons alone, whatever
     /// the ranker; not together with `rerank`.
     bool part = false;
     int jobs = 1;
-    std::stop_token stop = {};  ///< looked at every few milliseconds; then the outcome is `cancelled`
+    std::stop_token stop =
+        {};  ///< looked at every few milliseconds; then the outcome is `cancelled`
 };
 
 /// What normalisation needs to know of a collection; made once for an index and stored with it.
@@ -65,7 +66,8 @@ Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, in
 /// A query that the statistics do not know is judged by its distances to at most 500 models of the
 /// collection when that is at least half of what the statistics are of, else by the pooled scale.
 /// Errors: cancelled.
-Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query,
+                                           DescriptorSpan collection,
                                            const CollectionStatistics& statistics,
                                            const RankOptions& options = {});
 
@@ -82,7 +84,9 @@ Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
 /// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
 /// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
 /// Errors: cancelled.
-Result<matching::Match> explain(const descriptor::ModelDescriptor& query, const descriptor::ModelDescriptor& other,
-                      const CollectionStatistics& statistics, const RankOptions& options = {});
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
+                                const descriptor::ModelDescriptor& other,
+                                const CollectionStatistics& statistics,
+                                const RankOptions& options = {});
 
 }  // namespace ossuary::ranking

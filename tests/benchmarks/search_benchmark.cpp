@@ -108,7 +108,7 @@ double recall(const Collection& collection) {
         exhaustive.exhaustive_below = collection.models.size();
         const auto exact =
             *ranking::nearest_models(query, collection.pointers, collection.preselection,
-                                    collection.statistics, {}, exhaustive);
+                                     collection.statistics, {}, exhaustive);
         for (const ranking::RankedModel& model : exact) {
             ++wanted;
             found += std::any_of(
@@ -125,7 +125,7 @@ void time_search(benchmark::State& state, std::size_t size) {
     for (auto _ : state) {
         benchmark::DoNotOptimize(
             *ranking::nearest_models(collection.queries[query++ % kQueries], collection.pointers,
-                                    collection.preselection, collection.statistics, {}));
+                                     collection.preselection, collection.statistics, {}));
     }
     state.counters["recall_at_10"] = recall(collection);
 }

@@ -31,8 +31,8 @@ protected:
     /// What `compute` does at its n-th call, from 1; then it evaluates.
     using Prelude = std::function<void(int, const std::stop_token&)>;
     Evaluations::Compute compute(const Prelude& prelude) {
-        return [this, prelude](const index::Snapshot& models, const index::EvaluateOptions& options)
-                   -> Result<index::Evaluation> {
+        return [this, prelude](const index::Snapshot& models,
+                               const index::EvaluateOptions& options) -> Result<index::Evaluation> {
             prelude(++computed_, options.rank.stop);
             return index::evaluate(models, options);
         };

@@ -317,14 +317,15 @@ TEST_F(Http, AnswersWhatTheMemoryDoesNotSufficeFor) {
     EXPECT_TRUE(alive());
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which end the process instead
+#if !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)  // which end the process instead
 TEST_F(Http, RefusesABodyThatTheMemoryDoesNotSufficeFor) {
     HttpOptions options = quick();
     options.max_body = options.max_bodies = std::size_t{1} << 60;
     restart(options);
     RawClient client(port_);
-    client.send(test::request("POST", "/", "Content-Length: " +
-                                               std::to_string(std::size_t{1} << 59) + "\r\n") +
+    client.send(test::request("POST", "/",
+                              "Content-Length: " + std::to_string(std::size_t{1} << 59) + "\r\n") +
                 "the beginning");
     const RawAnswer answer = client.receive();
     EXPECT_EQ(answer.status, 503);

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 
-#include "index/indexer.h"
+#include "index/describe_model.h"
 #include "tests/server/test_server.h"
 
 namespace ossuary::test {
@@ -65,7 +65,8 @@ TEST_F(StatisticsUpdaterTest, CatchesUpWithManyRemovals) {
 TEST_F(StatisticsUpdaterTest, MakesThoseOfAnIndexThatHasNone) {
     const fs::path fresh = folder_.path() / "fresh.ossuary";
     index::Store store = *index::Store::create_or_open(fresh, index::IndexParameters{});
-    ASSERT_TRUE(index::index_one(store, {built_models()[0].off, "ball", ""}));
+    ASSERT_TRUE(
+        store.put(*index::describe_model(built_models()[0].off, "ball", store.parameters())));
     ASSERT_LT(store.collection_state()->statistics, 0);
     index::Searcher searcher = *index::Searcher::open(fresh);
     server::StatisticsUpdater updater(*index::Store::open(fresh, index::Access::kReadWrite),

@@ -102,7 +102,8 @@ TEST_F(PreselectionTest, GivesTheSameForEveryNumberOfJobs) {
     const CollectionStatistics statistics = *collection_statistics(all);
     for (const bool rerank : {false, true}) {
         RankOptions options{.rerank = rerank};
-        const auto one = *nearest_models(*all[17], all, preselection, statistics, options, narrow());
+        const auto one =
+            *nearest_models(*all[17], all, preselection, statistics, options, narrow());
         options.jobs = 3;
         const auto three =
             *nearest_models(*all[17], all, preselection, statistics, options, narrow());

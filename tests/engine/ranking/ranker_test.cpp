@@ -267,7 +267,8 @@ TEST_F(Ranker, MeasuresBuildAloneWithoutPose) {
     for (const RankerKind ranker : {RankerKind::kSkeleton, RankerKind::kHybrid}) {
         const auto build =
             *rank_distances(*all[1], all, statistics, {.ranker = ranker, .pose = 0.0});
-        const auto pose = *rank_distances(*all[1], all, statistics, {.ranker = ranker, .pose = 1.0});
+        const auto pose =
+            *rank_distances(*all[1], all, statistics, {.ranker = ranker, .pose = 1.0});
         EXPECT_EQ(build[1], 0.0);
         EXPECT_EQ(pose[1], 0.0);
         EXPECT_NE(build, pose);
