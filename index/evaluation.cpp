@@ -120,28 +120,32 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection,
 }
 
 /// The statistics of just the evaluated models, as if nothing else were in the index.
-ranking::CollectionStatistics statistics_for(const Snapshot& snapshot, const Selection& selection,
-                                             ranking::DescriptorSpan descriptors,
-                                             const ranking::RankOptions& rank) {
-    if (rank.ranker == ranking::RankerKind::kChainCode) return {};
+Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot,
+                                                     const Selection& selection,
+                                                     ranking::DescriptorSpan descriptors,
+                                                     const ranking::RankOptions& rank) {
+    if (rank.ranker == ranking::RankerKind::kChainCode) return ranking::CollectionStatistics{};
     bool whole = selection.positions.size() == snapshot.size();
     for (std::size_t i = 0; whole && i < selection.positions.size(); ++i) {
         whole = selection.positions[i] == i;
     }
     if (whole && snapshot.state().statistics == snapshot.revision()) return snapshot.statistics();
-    return ranking::collection_statistics(descriptors, rank.jobs);
+    return ranking::collection_statistics(descriptors, rank.jobs, rank.stop);
 }
 
-Evaluation compute(const Snapshot& snapshot, const Selection& selection,
-                   const ranking::RankOptions& rank) {
+Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection,
+                           const ranking::RankOptions& rank) {
     std::vector<const descriptor::ModelDescriptor*> descriptors;
     for (const std::size_t position : selection.positions) {
         descriptors.push_back(snapshot.descriptors()[position]);
     }
+    const auto statistics = statistics_for(snapshot, selection, descriptors, rank);
+    if (!statistics) return statistics.error();
+    auto distances = ranking::distance_matrix(descriptors, *statistics, rank);
+    if (!distances) return distances.error();
     Evaluation evaluation = frame(snapshot, selection, rank);
-    evaluation.distances = ranking::distance_matrix(
-        descriptors, statistics_for(snapshot, selection, descriptors, rank), rank);
-    evaluation.report = ranking::evaluate_retrieval(evaluation.distances, evaluation.labels);
+    evaluation.distances = *std::move(distances);
+    evaluation.report = evaluate_retrieval(evaluation.distances, evaluation.labels);
     evaluation.computed_at = utc_now();
     return evaluation;
 }
@@ -172,9 +176,10 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
         evaluation.computed_at = std::move((*cached)->computed_at);
         return evaluation;
     }
-    Evaluation evaluation = compute(snapshot, *selection, options.rank);
+    auto evaluation = compute(snapshot, *selection, options.rank);
+    if (!evaluation) return evaluation;
     // A reader cannot keep it, and whoever writes for long should not fail a reader.
-    const auto kept = store.put_evaluation(key, evaluation.report);
+    const auto kept = store.put_evaluation(key, evaluation->report);
     if (!kept && kept.error().code != ErrorCode::kIndexIo &&
         kept.error().code != ErrorCode::kIndexBusy &&
         kept.error().code != ErrorCode::kIndexReplaced) {

@@ -39,7 +39,8 @@ struct Evaluation {
 
 /// Leave-one-out retrieval quality over a snapshot; a function of the snapshot and the options.
 /// Errors: cla_unknown_model when the index has none of the classification's models,
-/// invalid_argument when an id may stand for several of them or no class has two models.
+/// invalid_argument when an id may stand for several of them or no class has two models, cancelled
+/// once `rank.stop` asks.
 Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options = {});
 
 /// The same, from the store's cache when it has it; computed and kept there (if the store is

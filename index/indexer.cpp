@@ -311,7 +311,7 @@ Result<IndexOutcome> IndexRun::run() {
         if (const auto pruned = prune(); !pruned) return pruned.error();
     }
     sink_.phase("computing the collection's statistics");
-    if (const auto updated = update_statistics(store_, options_.jobs); !updated) {
+    if (const auto updated = update_statistics(store_, options_.jobs, stop_); !updated) {
         return updated.error();
     }
     const auto revision = store_.revision();
@@ -346,14 +346,21 @@ Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParamet
     return model;
 }
 
-Result<void> update_statistics(Store& store, int jobs) {
+Result<void> update_statistics(Store& store, int jobs, const std::stop_token& stop) {
     const auto state = store.collection_state();
     if (!state) return state.error();
     if (state->statistics == state->models) return {};
     const auto snapshot = Snapshot::load(store);
     if (!snapshot) return snapshot.error();
-    return store.put_statistics(ranking::collection_statistics((*snapshot)->descriptors(), jobs),
-                                (*snapshot)->revision(), (*snapshot)->state().replacements);
+    return update_statistics(store, **snapshot, jobs, stop);
+}
+
+Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs,
+                               const std::stop_token& stop) {
+    if (snapshot.state().statistics == snapshot.revision()) return {};
+    const auto statistics = ranking::collection_statistics(snapshot.descriptors(), jobs, stop);
+    if (!statistics) return statistics.error();
+    return store.put_statistics(*statistics, snapshot.revision(), snapshot.state().replacements);
 }
 
 }  // namespace ossuary::index

@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/ranking/classification.h"
 #include "index/model.h"
+#include "index/snapshot.h"
 #include "index/store.h"
 #include "index/upload.h"
 
@@ -82,6 +83,11 @@ Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParamet
                                  std::stop_token stop = {});
 
 /// Recomputes the collection's statistics if they are not those of the current revision.
-Result<void> update_statistics(Store& store, int jobs = 1);
+/// Errors: cancelled, those of the store.
+Result<void> update_statistics(Store& store, int jobs = 1, const std::stop_token& stop = {});
+
+/// The same for a snapshot of the store that is in memory already.
+Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs = 1,
+                               const std::stop_token& stop = {});
 
 }  // namespace ossuary::index

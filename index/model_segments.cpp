@@ -34,13 +34,15 @@ mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
 /// For each part the branch of the skeleton that most of its area is mapped to, -1 without one.
 std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh,
                                             const ModelSegments& segments,
-                                            const skeleton::SkeletonGraph& skeleton) {
+                                            const skeleton::SkeletonGraph& skeleton,
+                                            const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::int32_t>(segments.parts.size(), -1);
     const decomposition::BranchMapping mapping(skeleton);
     const std::vector<Vec3> normals = mesh::triangle_normals(mesh);
     std::vector<std::int32_t> branches;
     branches.reserve(normals.size());
     for (std::size_t t = 0; t < normals.size(); ++t) {
+        if (stop.stop_requested()) return {};
         const auto [a, b, c] = mesh.corners(t);
         branches.push_back(
             static_cast<std::int32_t>(mapping.branch_of((a + b + c) / 3.0, normals[t])));
@@ -54,8 +56,7 @@ std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh,
 Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
                                     const mesh::TriangleMesh& preview,
                                     const skeleton::SkeletonGraph& skeleton, std::stop_token stop) {
-    Result<decomposition::Decomposition> decomposition =
-        decomposition::decompose(mesh, {}, std::move(stop));
+    Result<decomposition::Decomposition> decomposition = decomposition::decompose(mesh, {}, stop);
     if (!decomposition) return decomposition.error();
     Result<decomposition::Segmentation> carried =
         decomposition::carry_labels(mesh, decomposition->segmentation, preview);
@@ -63,21 +64,26 @@ Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
     ModelSegments segments{std::move(decomposition->parts), std::move(carried->labels)};
     for (auto& part : segments.parts) part.triangles = 0;
     for (const std::uint32_t label : segments.labels) ++segments.parts[label].triangles;
-    const auto branches = branches_of_parts(preview, segments, skeleton);
+    const auto branches = branches_of_parts(preview, segments, skeleton, stop);
+    if (stop.stop_requested()) return {ErrorCode::kCancelled, "cutting into parts was given up"};
     for (std::size_t p = 0; p < branches.size(); ++p) segments.parts[p].branch = branches[p];
     return segments;
 }
 
 Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& segments,
-                              const skeleton::SkeletonGraph& skeleton, std::string_view name) {
+                              const skeleton::SkeletonGraph& skeleton, std::string_view name,
+                              const std::stop_token& stop) {
     const mesh::TriangleMesh mesh = mesh_of(preview);
     if (segments.labels.size() != mesh.triangles.size()) {
         return {ErrorCode::kIndexCorrupt, "labels and triangles of the preview differ in number"};
     }
-    const mesh::TriangleMesh welded = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
+    const mesh::TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
     const decomposition::Segmentation parts{segments.labels,
                                             static_cast<std::uint32_t>(segments.parts.size())};
-    return to_glb(welded, parts, decomposition::make_rig(welded, skeleton), name);
+    const decomposition::Rig rig =
+        decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
+    if (stop.stop_requested()) return {ErrorCode::kCancelled, "making the rig was given up"};
+    return to_glb(welded, parts, rig, name);
 }
 
 nlohmann::json to_json(const ModelSegments& segments) {

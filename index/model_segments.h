@@ -25,9 +25,10 @@ Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
 
 /// The preview of an indexed model, its parts and the stored skeleton as a rigged glTF file
 /// (gltf.h).
-/// Errors: index_corrupt when the parts are those of another preview.
+/// Errors: index_corrupt when the parts are those of another preview, cancelled.
 Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& segments,
-                              const skeleton::SkeletonGraph& skeleton, std::string_view name);
+                              const skeleton::SkeletonGraph& skeleton, std::string_view name,
+                              const std::stop_token& stop = {});
 
 /// {parts: [{part, colour, triangles, area, area_share, branch, neighbors}], labels}
 [[nodiscard]] nlohmann::json to_json(const ModelSegments& segments);

@@ -51,7 +51,7 @@ std::vector<std::size_t> nearest_members(ranking::DescriptorSpan members,
     options.pose = pose;
     options.jobs = jobs;
     const ranking::DistanceMatrix distances =
-        ranking::distance_matrix(members, statistics, options);
+        *ranking::distance_matrix(members, statistics, options);  // no stop
     std::vector<std::size_t> nearest;
     for (std::size_t i = 0; i < members.size(); ++i) {
         std::size_t best = i == 0 ? 1 : 0;

@@ -18,19 +18,27 @@ StoredSkeleton with_chain_codes(skeleton::SkeletonGraph graph,
     return skeleton;
 }
 
+/// The options with the stop token of one call.
+ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token stop) {
+    options.stop = std::move(stop);
+    return options;
+}
+
 /// The models that may be hits, nearest first.
-std::vector<ranking::RankedModel> ranked(const Snapshot& snapshot,
-                                         const descriptor::ModelDescriptor& query,
-                                         const SearchOptions& options, ModelId left_out) {
+Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
+                                                 const descriptor::ModelDescriptor& query,
+                                                 const SearchOptions& options, ModelId left_out) {
     // One more, because the model that is left out is among the nearest. A class is looked for in
     // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
     ranking::NearestOptions nearest;
     const bool all = options.limit == 0 || !options.class_filter.empty();
     nearest.count = all ? snapshot.size() : options.limit + 1;
+    const auto models =
+        ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
+                                snapshot.statistics(), options.rank, nearest);
+    if (!models) return models.error();
     std::vector<ranking::RankedModel> hits;
-    for (const ranking::RankedModel& found :
-         ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
-                                 snapshot.statistics(), options.rank, nearest)) {
+    for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
         if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
@@ -41,10 +49,12 @@ std::vector<ranking::RankedModel> ranked(const Snapshot& snapshot,
 }
 
 /// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
-void find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
-               const SearchOptions& options, ModelId left_out, SearchResult& result) {
+Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
+                       const SearchOptions& options, ModelId left_out, SearchResult& result) {
     Stopwatch watch;
-    for (const ranking::RankedModel& found : ranked(snapshot, query, options, left_out)) {
+    const auto models = ranked(snapshot, query, options, left_out);
+    if (!models) return models.error();
+    for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         Hit hit;
         hit.rank = result.hits.size() + 1;
@@ -58,16 +68,18 @@ void find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& quer
     if (options.with_match) {
         for (Hit& hit : result.hits) {
             const auto position = snapshot.find(hit.id);
-            matching::Match match = ranking::explain(query, *snapshot.descriptors()[*position],
-                                                     snapshot.statistics(), options.rank);
-            hit.parts = std::move(match.parts);
-            hit.matched_nodes = match.correspondence.nodes.size();
-            hit.match = std::move(match.correspondence);
+            auto match = ranking::explain(query, *snapshot.descriptors()[*position],
+                                          snapshot.statistics(), options.rank);
+            if (!match) return match.error();
+            hit.parts = std::move(match->parts);
+            hit.matched_nodes = match->correspondence.nodes.size();
+            hit.match = std::move(match->correspondence);
         }
-        result.stages_ms.push_back({"explain", watch.lap_ms()});
+        result.stages_ms.push_back({"ranking::explain", watch.lap_ms()});
     }
     result.models = snapshot.size();
     result.revision = snapshot.revision();
+    return {};
 }
 
 Result<void> check_rank_options(const ranking::RankOptions& options) {
@@ -92,8 +104,11 @@ Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::Trian
     if (!first) return first.error();
     auto second = descriptor::describe(b, describe_options(parameters), stop);
     if (!second) return second.error();
+    auto match = ranking::explain(first->descriptor, second->descriptor, {},
+                                  stoppable(options, std::move(stop)));
+    if (!match) return match.error();
     Comparison comparison;
-    comparison.match = ranking::explain(first->descriptor, second->descriptor, {}, options);
+    comparison.match = *std::move(match);
     comparison.a.skeleton =
         with_chain_codes(std::move(first->skeleton), first->descriptor.skeleton);
     comparison.b.skeleton =
@@ -150,44 +165,57 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
     auto description =
         descriptor::describe(query, describe_options(impl_->store.parameters()), stop);
     if (!description) return description.error();
-    if (stop.stop_requested()) return {ErrorCode::kCancelled, "the search was given up"};
+    SearchOptions search = options;
+    search.rank = stoppable(options.rank, std::move(stop));
     SearchResult result;
     result.stages_ms = std::move(description->stage_times);
     result.warnings = std::move(description->warnings);
-    find_hits(**loaded, description->descriptor, options, 0, result);
+    if (const auto found = find_hits(**loaded, description->descriptor, search, 0, result);
+        !found) {
+        return found.error();
+    }
     result.query_skeleton =
         with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
     result.took_ms = total.elapsed_ms();
     return result;
 }
 
-Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options) {
+Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options,
+                                       std::stop_token stop) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
     const Stopwatch total;
     auto found = consistent({id});
     if (!found) return found.error();
     const Snapshot& models = *found->snapshot;
     const std::size_t position = *models.find(id);
+    SearchOptions search = options;
+    search.rank = stoppable(options.rank, std::move(stop));
     SearchResult result;
-    find_hits(models, *models.descriptors()[position], options, id, result);
+    if (const auto hits = find_hits(models, *models.descriptors()[position], search, id, result);
+        !hits) {
+        return hits.error();
+    }
     result.query_skeleton = std::move(found->skeletons.front());
     result.warnings = models.models()[position].warnings;
     result.took_ms = total.elapsed_ms();
     return result;
 }
 
-Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOptions& options) {
+Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOptions& options,
+                                     std::stop_token stop) {
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
     auto found = consistent({a, b});
     if (!found) return found.error();
     const Snapshot& models = *found->snapshot;
     const std::size_t first = *models.find(a);
     const std::size_t second = *models.find(b);
+    auto match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
+                                  models.statistics(), stoppable(options, std::move(stop)));
+    if (!match) return match.error();
     Comparison comparison;
+    comparison.match = *std::move(match);
     comparison.a = {models.models()[first], std::move(found->skeletons[0])};
     comparison.b = {models.models()[second], std::move(found->skeletons[1])};
-    comparison.match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
-                                        models.statistics(), options);
     return comparison;
 }
 

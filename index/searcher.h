@@ -83,10 +83,12 @@ public:
     /// Errors: those of describe, cancelled.
     Result<SearchResult> search(const mesh::TriangleMesh& query, const SearchOptions& options = {},
                                 std::stop_token stop = {});
-    /// The models nearest to an indexed one, itself left out. Errors: model_not_found.
-    Result<SearchResult> similar(ModelId id, const SearchOptions& options = {});
-    /// Errors: model_not_found.
-    Result<Comparison> compare(ModelId a, ModelId b, const ranking::RankOptions& options = {});
+    /// The models nearest to an indexed one, itself left out. Errors: model_not_found, cancelled.
+    Result<SearchResult> similar(ModelId id, const SearchOptions& options = {},
+                                 std::stop_token stop = {});
+    /// Errors: model_not_found, cancelled.
+    Result<Comparison> compare(ModelId a, ModelId b, const ranking::RankOptions& options = {},
+                               std::stop_token stop = {});
 
 private:
     struct Impl;

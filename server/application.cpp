@@ -130,9 +130,6 @@ Response Application::handle(Request& request) {
     RouteMatch match = match_route(request.head.method, request.head.path);
     request.capture = std::move(match.capture);
     auto answered = match.route->handle(service_, request);
-    if (!answered && !answered.error().cause.empty()) {
-        service_.log.error(answered.error().cause, request.id);
-    }
     Response response = answered ? *std::move(answered)
                                  : to_response(answered.error(), request.head.path, request.id);
     response.route = match.route->pattern;
@@ -153,12 +150,22 @@ void Application::complete(Response& response, const std::string& id) {
 
 void Application::finished(const Exchange& exchange) {
     service_.metrics.request(exchange);
+    // Every 500 has its line, also one that nobody gave a reason for.
+    if (!exchange.cause.empty() || exchange.status == 500) {
+        service_.log.error(exchange.cause.empty() ? "no reason was given" : exchange.cause,
+                           exchange.id);
+    }
     service_.log.access(exchange);
 }
 
 void Application::refused() {
     service_.metrics.connection_refused();
-    service_.log.warn("a connection was turned away: too many are waiting");
+    service_.log.warn("a request was turned away: too many are waiting");
+}
+
+bool Application::is_urgent(const RequestHead& head) const {
+    const RouteMatch match = match_route(head.method, head.path);
+    return match.route != nullptr && match.route->urgent;
 }
 
 }  // namespace ossuary::server

@@ -19,6 +19,7 @@ public:
     void complete(Response& response, const std::string& id) override;
     void finished(const Exchange& exchange) override;
     void refused() override;
+    [[nodiscard]] bool is_urgent(const RequestHead& head) const override;
 
 private:
     [[nodiscard]] std::optional<Problem> judge(const RequestHead& head, const Route& route) const;

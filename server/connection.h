@@ -9,8 +9,8 @@ namespace ossuary::server {
 
 using Clock = std::chrono::steady_clock;
 
-/// One accepted socket, read and written with absolute deadlines, so that a peer which sends or
-/// takes a byte now and then cannot hold a thread for ever. Owns the descriptor.
+/// One accepted socket with what has been received on it and not been consumed yet. Nothing here
+/// waits: whoever gets `kWait` comes back when the socket is ready. Owns the descriptor.
 class Connection {
 public:
     explicit Connection(int socket);
@@ -18,57 +18,35 @@ public:
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
 
-    enum class Head {
-        kComplete,  ///< `head()` ends with the empty line
-        kClosed,    ///< the peer closed before it sent anything
-        kPartial,   ///< the peer closed within the header
-        kTimeout,
-        kTooLarge,
+    enum class Io {
+        kDone,
+        kWait,   ///< the socket is not ready
+        kEnded,  ///< the peer has ended its side, or the connection is broken
     };
-    /// Reads up to and including the empty line; what follows is kept for `read`.
-    Head read_head(std::size_t max_bytes, Clock::time_point deadline);
-    [[nodiscard]] std::string_view head() const;
 
-    /// True as soon as there is something to read (also the peer's end), false at the deadline or
-    /// when `wake`, another descriptor, becomes readable.
-    [[nodiscard]] bool wait_readable(Clock::time_point deadline, int wake) const;
-    /// Whether bytes of a next request are here already.
-    [[nodiscard]] bool has_buffered() const { return !buffer_.empty(); }
-    /// Forgets the head that `read_head` gave.
-    void consume_head();
+    /// Receives what is there, until `most` bytes are held. Done when there is something new.
+    Io fill(std::size_t most);
+    [[nodiscard]] std::string_view buffered() const { return buffer_; }
+    void consume(std::size_t bytes) { buffer_.erase(0, bytes); }
 
-    /// Bytes read; 0 at the peer's end, -1 at the deadline or on an error (`timed_out` tells).
-    long read(char* data, std::size_t size);
-    /// Writes all or fails: `size`, or -1.
-    long write(const char* data, std::size_t size);
+    /// Moves what is held, then what the socket has, to the end of `out`; done at `size` bytes.
+    Io read_into(std::string& out, std::size_t size);
+    /// Sends what the socket takes of `rest` and shortens it by that; done when nothing is left.
+    Io write(std::string_view& rest);
 
-    void set_read_deadline(Clock::time_point deadline) { read_deadline_ = deadline; }
-    void set_write_deadline(Clock::time_point deadline) { write_deadline_ = deadline; }
-    [[nodiscard]] bool timed_out() const { return timed_out_; }
-    [[nodiscard]] std::size_t bytes_read() const { return bytes_read_; }
-    [[nodiscard]] std::size_t bytes_written() const { return bytes_written_; }
-
-    /// Ends our side and swallows what the peer still sends, for at most `patience`, so that it
-    /// gets to read the answer to a request that was refused half way.
-    void linger(std::chrono::milliseconds patience);
+    /// Ends our side, so that the peer reads the last answer and then the end.
+    void end_output();
+    /// Throws away what the peer still sends; ended when it has ended its side, too.
+    Io swallow();
 
     [[nodiscard]] int socket() const { return socket_; }
     [[nodiscard]] std::string remote_address() const;
-    [[nodiscard]] int remote_port() const;
-    [[nodiscard]] std::string local_address() const;
-    [[nodiscard]] int local_port() const;
 
 private:
-    long receive(char* data, std::size_t size, Clock::time_point deadline);
+    Io receive(char* data, std::size_t size, std::size_t& got);
 
     int socket_;
-    std::string buffer_;  ///< received and not yet consumed
-    std::size_t head_size_ = 0;
-    Clock::time_point read_deadline_ = Clock::time_point::max();
-    Clock::time_point write_deadline_ = Clock::time_point::max();
-    bool timed_out_ = false;
-    std::size_t bytes_read_ = 0;
-    std::size_t bytes_written_ = 0;
+    std::string buffer_;
 };
 
 }  // namespace ossuary::server

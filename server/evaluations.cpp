@@ -1,10 +1,22 @@
 #include "server/evaluations.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "engine/core/stopwatch.h"
+#include "server/without_exceptions.h"
 
 namespace ossuary::server {
+namespace {
+
+/// Of which state of the collection a key's evaluation is, in the order of time.
+template <typename Key>
+auto state_of(const Key& key) {
+    return std::pair(std::get<std::uint64_t>(key), std::get<index::Revision>(key));
+}
+
+}  // namespace
 
 Evaluable evaluable(const index::Snapshot& snapshot) {
     std::map<std::string_view, std::size_t> members;
@@ -20,11 +32,20 @@ Evaluable evaluable(const index::Snapshot& snapshot) {
     return found;
 }
 
-Evaluations::Evaluations(std::filesystem::path index, std::size_t max_models, Log& log)
-    : index_(std::move(index)),
-      max_models_(max_models),
+Evaluations::Compute evaluate_over(std::filesystem::path index) {
+    return [index = std::move(index)](const index::Snapshot& snapshot,
+                                      const index::EvaluateOptions& options) {
+        auto store = index::Store::open(index, index::Access::kReadWrite);
+        return store ? index::evaluate_cached(*store, snapshot, options)
+                     : index::evaluate(snapshot, options);
+    };
+}
+
+Evaluations::Evaluations(Compute compute, const Limits& limits, Log& log)
+    : compute_(std::move(compute)),
+      limits_(limits),
       log_(log),
-      thread_([this](std::stop_token stop) { work(stop); }) {}
+      thread_([this](std::stop_token stop) { work(std::move(stop)); }) {}
 
 Evaluations::~Evaluations() = default;
 
@@ -33,71 +54,92 @@ std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snap
     std::lock_guard lock(mutex_);
     const auto found = results_.find(
         {snapshot.state().replacements, snapshot.revision(), options.ranker, options.rerank});
-    if (found == results_.end() || !found->second) return std::nullopt;
-    return *found->second;
+    if (found == results_.end()) return std::nullopt;
+    return found->second;
 }
 
-Result<Evaluations::Shared> Evaluations::get(const Snapshot& snapshot,
-                                             const ranking::RankOptions& options,
-                                             std::stop_token stop) {
+std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snapshot,
+                                                            const ranking::RankOptions& options,
+                                                            std::stop_token stop) {
+    using Answer = Result<Shared>;
     const Evaluable found = evaluable(*snapshot);
     if (found.classes < 2) {
-        return {ErrorCode::kEvaluationNotFound,
-                "An evaluation needs two classes with two models each; the collection has " +
-                    std::to_string(found.classes) + "."};
+        return Answer(ErrorCode::kEvaluationNotFound,
+                      "An evaluation needs two classes with two models each; the collection has " +
+                          std::to_string(found.classes) + ".");
     }
-    if (found.models > max_models_) {
-        return {ErrorCode::kEvaluationNotFound,
-                "The collection has " + std::to_string(found.models) +
-                    " models with a class; this server evaluates at most " +
-                    std::to_string(max_models_) + ". `ossuary evaluate` has no limit."};
+    if (found.models > limits_.models) {
+        return Answer(ErrorCode::kEvaluationNotFound,
+                      "The collection has " + std::to_string(found.models) +
+                          " models with a class; this server evaluates at most " +
+                          std::to_string(limits_.models) + ". `ossuary evaluate` has no limit.");
     }
     const Key key{snapshot->state().replacements, snapshot->revision(), options.ranker,
                   options.rerank};
     std::unique_lock lock(mutex_);
-    const auto is_this = [&](const Task& task) { return task.key == key; };
-    if (!results_.contains(key) && std::none_of(tasks_.begin(), tasks_.end(), is_this)) {
-        tasks_.push_back({key, snapshot, options});
-        changed_.notify_all();
+    if (const auto known = results_.find(key); known != results_.end()) {
+        return Answer(known->second);
     }
-    if (!changed_.wait(lock, stop, [&] { return results_.contains(key); })) {
-        return {ErrorCode::kCancelled, "the evaluation takes longer than the request may"};
+    if (waiting_ >= limits_.waiting) return std::nullopt;
+    const std::shared_ptr<Task> task = task_for(key, snapshot, options);
+    ++waiting_;
+    ++task->waiting;
+    changed_.wait(lock, stop, [&] { return task->outcome.has_value(); });
+    --waiting_;
+    --task->waiting;
+    if (task->outcome) return *task->outcome;
+    return Answer(ErrorCode::kCancelled, "the evaluation takes longer than the request may");
+}
+
+std::shared_ptr<Evaluations::Task> Evaluations::task_for(const Key& key, const Snapshot& snapshot,
+                                                         const ranking::RankOptions& options) {
+    for (const auto& task : tasks_) {
+        if (task->key == key) return task;
     }
-    return results_.at(key);
+    // Those of earlier revisions that nobody waits for any more will not be asked for again.
+    if (!tasks_.empty()) {
+        const auto superseded = [&](const std::shared_ptr<Task>& task) {
+            return task->waiting == 0 && state_of(task->key) < state_of(key);
+        };
+        tasks_.erase(std::remove_if(std::next(tasks_.begin()), tasks_.end(), superseded),
+                     tasks_.end());
+    }
+    tasks_.push_back(std::make_shared<Task>(Task{key, snapshot, options, 0, std::nullopt}));
+    changed_.notify_all();
+    return tasks_.back();
 }
 
 void Evaluations::work(std::stop_token stop) {
     std::unique_lock lock(mutex_);
     while (changed_.wait(lock, stop, [this] { return !tasks_.empty(); })) {
-        const Task task = tasks_.front();
+        if (stop.stop_requested()) return;
+        const std::shared_ptr<Task> task = tasks_.front();
         lock.unlock();
-        Result<Shared> result = compute(task);
+        Result<Shared> outcome = without_exceptions([&] { return compute(*task, stop); });
+        if (!outcome) {
+            log_.error("evaluation: " + std::string(to_string(outcome.error().code)) + ": " +
+                       outcome.error().message);
+        }
         lock.lock();
-        // Those of earlier revisions will not be asked for again.
-        const auto state_of = [](const Key& key) {
-            return std::pair(std::get<std::uint64_t>(key), std::get<index::Revision>(key));
-        };
-        std::erase_if(results_, [&](const auto& entry) {
-            return state_of(entry.first) < state_of(task.key);
-        });
-        results_.insert_or_assign(task.key, std::move(result));
+        if (outcome) {
+            std::erase_if(results_, [&](const auto& entry) {
+                return state_of(entry.first) < state_of(task->key);
+            });
+            results_.insert_or_assign(task->key, *outcome);
+        }
+        task->outcome = std::move(outcome);
         tasks_.pop_front();
         changed_.notify_all();
     }
 }
 
-Result<Evaluations::Shared> Evaluations::compute(const Task& task) {
+Result<Evaluations::Shared> Evaluations::compute(const Task& task, std::stop_token stop) {
     const Stopwatch watch;
     index::EvaluateOptions options;
     options.rank = task.options;
-    auto store = index::Store::open(index_, index::Access::kReadWrite);
-    auto evaluation = store ? index::evaluate_cached(*store, *task.snapshot, options)
-                            : index::evaluate(*task.snapshot, options);
-    if (!evaluation) {
-        log_.error("evaluation: " + std::string(to_string(evaluation.error().code)) + ": " +
-                   evaluation.error().message);
-        return evaluation.error();
-    }
+    options.rank.stop = std::move(stop);
+    auto evaluation = compute_(*task.snapshot, options);
+    if (!evaluation) return evaluation.error();
     log_.info("evaluated " + std::string(to_string(task.options.ranker)) + " over " +
               std::to_string(evaluation->report.models) + " models in " +
               std::to_string(static_cast<long>(watch.elapsed_ms())) + " ms");

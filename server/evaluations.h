@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -12,7 +13,6 @@
 #include <string>
 #include <thread>
 #include <tuple>
-#include <vector>
 
 #include "engine/core/result.h"
 #include "index/evaluation.h"
@@ -30,22 +30,30 @@ struct Evaluable {
 
 /// Evaluates the collection on demand, one evaluation at a time, on a thread of its own, so that a
 /// request which does not want to wait leaves nothing half done: the next one finds it finished.
+/// Ends within milliseconds when destroyed.
 class Evaluations {
 public:
-    /// @param max_models  larger collections are not evaluated
-    Evaluations(std::filesystem::path index, std::size_t max_models, Log& log);
+    using Snapshot = std::shared_ptr<const index::Snapshot>;
+    using Shared = std::shared_ptr<const index::Evaluation>;
+    /// Evaluates; must look at `options.rank.stop`.
+    using Compute =
+        std::function<Result<index::Evaluation>(const index::Snapshot&, index::EvaluateOptions)>;
+
+    struct Limits {
+        std::size_t models = 1500;  ///< larger collections are not evaluated
+        std::size_t waiting = 16;   ///< requests that may wait; they hold a thread each
+    };
+    Evaluations(Compute compute, const Limits& limits, Log& log);
     ~Evaluations();
 
-    using Shared = std::shared_ptr<const index::Evaluation>;
-    using Snapshot = std::shared_ptr<const index::Snapshot>;
-
-    /// Errors: evaluation_not_found, cancelled when `stop` is requested first, those of `evaluate`.
-    Result<Shared> get(const Snapshot& snapshot, const ranking::RankOptions& options,
-                       std::stop_token stop);
+    /// Errors: evaluation_not_found, cancelled when `stop` is requested first, those of `compute`.
+    /// What failed is not kept: the next call tries again. None when too many wait.
+    std::optional<Result<Shared>> get(const Snapshot& snapshot, const ranking::RankOptions& options,
+                                      std::stop_token stop);
     /// What `get` has at hand for this revision; none where it would have to compute.
     [[nodiscard]] std::optional<Shared> peek(const index::Snapshot& snapshot,
                                              const ranking::RankOptions& options);
-    [[nodiscard]] std::size_t max_models() const { return max_models_; }
+    [[nodiscard]] std::size_t max_models() const { return limits_.models; }
 
 private:
     /// The state of the collection's models, see index::CollectionState, and what is evaluated.
@@ -54,18 +62,26 @@ private:
         Key key;
         Snapshot snapshot;
         ranking::RankOptions options;
+        std::size_t waiting = 0;
+        std::optional<Result<Shared>> outcome;
     };
     void work(std::stop_token stop);
-    Result<Shared> compute(const Task& task);
+    Result<Shared> compute(const Task& task, std::stop_token stop);
+    std::shared_ptr<Task> task_for(const Key& key, const Snapshot& snapshot,
+                                   const ranking::RankOptions& options);
 
-    const std::filesystem::path index_;
-    const std::size_t max_models_;
+    const Compute compute_;
+    const Limits limits_;
     Log& log_;
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::deque<Task> tasks_;  ///< the first is under way
-    std::map<Key, Result<Shared>> results_;
+    std::deque<std::shared_ptr<Task>> tasks_;  ///< the first is under way
+    std::map<Key, Shared> results_;            ///< of the latest revision
+    std::size_t waiting_ = 0;
     std::jthread thread_;  ///< last, so that it ends first
 };
+
+/// Evaluates with the index's own cache, if the file can be written.
+[[nodiscard]] Evaluations::Compute evaluate_over(std::filesystem::path index);
 
 }  // namespace ossuary::server

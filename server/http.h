@@ -14,9 +14,10 @@
 namespace ossuary::server {
 
 struct HttpOptions {
-    int threads = 64;                 ///< connections served at once; idle ones make room
-    std::size_t max_waiting = 128;    ///< connections that may wait for a thread; more get a 503
-    std::size_t max_body = 64 << 20;  ///< bytes of a request's body
+    int threads = 64;                   ///< requests worked on at once
+    std::size_t max_waiting = 128;      ///< requests that may wait for a thread; more get a 503
+    std::size_t max_connections = 512;  ///< at once; beyond, those with the least claim give way
+    std::size_t max_body = 64 << 20;    ///< bytes of a request's body
     /// Bytes of all bodies that are held at once; a request that does not fit gets a 503.
     std::size_t max_bodies = 256 << 20;
     HeadLimits head;
@@ -25,7 +26,13 @@ struct HttpOptions {
     std::chrono::milliseconds request_timeout{60'000};
     std::chrono::milliseconds keep_alive_timeout{15'000};  ///< between requests
     std::size_t max_requests = 1000;                       ///< on one connection
-    std::chrono::milliseconds linger{2'000};               ///< how long a refused body is swallowed
+    /// How long what a client still sends is swallowed after the last answer, so that it can read
+    /// that answer.
+    std::chrono::milliseconds linger{2'000};
+    /// A body or an answer of which nothing has gone through for this long, or less than
+    /// `slow_bytes_per_second` since its beginning, has little claim to its connection.
+    std::chrono::milliseconds slow_after{2'000};
+    double slow_bytes_per_second = 1024.0;
 };
 
 /// What the log and the metrics hear of one request.
@@ -36,10 +43,11 @@ struct Exchange {
     std::string remote_address;
     int status = 0;
     std::string code;   ///< of the problem, if any
+    std::string cause;  ///< what went wrong on our side; for the log only
     std::string route;  ///< as the handler named it
     std::size_t bytes_in = 0;
     std::size_t bytes_out = 0;
-    double milliseconds = 0.0;
+    double milliseconds = 0.0;  ///< first byte in to last byte out
 };
 
 /// What an HTTP server does with requests. Called from many threads at once. No exception may leave
@@ -54,16 +62,18 @@ public:
     /// Adds what every answer carries, also those to requests that were never admitted.
     virtual void complete(Response& response, const std::string& id) = 0;
     virtual void finished(const Exchange& exchange) = 0;
-    /// A connection was turned away because too many were waiting.
+    /// Somebody was turned away because too many were waiting.
     virtual void refused() = 0;
+    /// Whether a request is answered at once from what is in memory and must be, whatever else goes
+    /// on: it does not wait behind others for a thread.
+    [[nodiscard]] virtual bool is_urgent(const RequestHead& /*head*/) const { return false; }
 };
 
-/// Speaks HTTP/1.1 over TCP. The only thing in the program that knows cpp-httplib, which is lent a
-/// part only: it accepts, reads bodies of a known length and writes answers. Headers are read and
-/// judged here (`check_head`) before it sees them, and it is handed a request line and header of
-/// our own writing, because in version 0.11.4 chunked bodies and compressed ones pass the payload
-/// limit, a REMOTE_ADDR header shadows the socket's address, contradicting lengths and 100,000
-/// fields are taken, and paths meet a recursive regular expression.
+/// Speaks HTTP/1.1 over TCP. One thread accepts, receives, sends and keeps the deadlines of all
+/// connections; the workers get requests that have arrived whole. So a client that is silent, slow
+/// or does not read holds a connection and no thread. Headers are read and judged by `check_head`
+/// alone. When there are too many connections, those with the least claim give way: that have not
+/// sent a byte, that idle between requests, whose header is slow, then whose body or answer is.
 class HttpServer {
 public:
     HttpServer(const HttpOptions& options, HttpHandler& handler);
@@ -80,7 +90,8 @@ public:
     /// Takes no new requests; `run` returns when those under way are answered. From any thread,
     /// also before `run`.
     void stop();
-    /// Asks the requests under way to end early.
+    /// Asks the requests under way to end early, and gives up those that are still arriving or
+    /// leaving.
     void cancel();
 
 private:

@@ -21,11 +21,12 @@ struct HttpShared {
     HttpHandler& handler;
     Watchdog watchdog;
     std::atomic<bool> stopping = false;
-    std::atomic<std::size_t> waiting = 0;
+    std::atomic<bool> cancelled = false;
+    std::atomic<std::size_t> connections = 0;
     std::atomic<std::size_t> body_bytes = 0;
     std::atomic<std::uint64_t> next_id = 0;
     std::string id_prefix;
-    int wake = -1;  ///< an eventfd, readable once `stopping`
+    int wake = -1;  ///< an eventfd; written whenever the loop has something to look at
 
     HttpShared(const HttpOptions& chosen, HttpHandler& handler_)
         : options(chosen), handler(handler_) {
@@ -39,6 +40,12 @@ struct HttpShared {
     HttpShared& operator=(const HttpShared&) = delete;
 
     std::string new_id() { return id_prefix + "-" + std::to_string(++next_id); }
+
+    /// Whether connections should end after their answer rather than idle: the server stops, or so
+    /// many are open that some will have to give way soon.
+    [[nodiscard]] bool ends_connections() const {
+        return stopping || 4 * connections > 3 * options.max_connections;
+    }
 };
 
 }  // namespace ossuary::server

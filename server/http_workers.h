@@ -1,8 +1,5 @@
 #pragma once
 
-#include <httplib.h>
-
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -13,64 +10,35 @@
 
 namespace ossuary::server {
 
-/// Threads that take accepted connections in turn. `enqueue` runs a task at once, on the accepting
-/// thread, when too many wait; `Acceptor` then turns that connection away.
-class HttpWorkers : public httplib::TaskQueue {
+/// Threads that take tasks in turn, and one more that takes urgent ones alone, so that those are
+/// done while all others are busy.
+class HttpWorkers {
 public:
-    HttpWorkers(int threads, std::size_t max_waiting, std::atomic<std::size_t>& waiting)
-        : max_waiting_(max_waiting), waiting_(waiting) {
-        for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
-    }
+    /// No exception may leave it.
+    using Task = std::function<void()>;
 
-    void enqueue(std::function<void()> task) override {
-        {
-            std::unique_lock lock(mutex_);
-            if (tasks_.size() < max_waiting_) {
-                tasks_.push_back(std::move(task));
-                waiting_ = tasks_.size() > idle_ ? tasks_.size() - idle_ : 0;
-                lock.unlock();
-                wake_.notify_one();
-                return;
-            }
-        }
-        task();
-    }
+    HttpWorkers(int threads, std::size_t max_waiting);
+    /// Works off what waits.
+    ~HttpWorkers();
+    HttpWorkers(const HttpWorkers&) = delete;
+    HttpWorkers& operator=(const HttpWorkers&) = delete;
 
-    void shutdown() override {
-        {
-            std::lock_guard lock(mutex_);
-            ending_ = true;
-        }
-        wake_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
+    /// False when too many wait.
+    [[nodiscard]] bool enqueue(Task task, bool urgent);
 
 private:
-    void work() {
-        while (true) {
-            std::function<void()> task;
-            {
-                std::unique_lock lock(mutex_);
-                ++idle_;
-                wake_.wait(lock, [this] { return ending_ || !tasks_.empty(); });
-                --idle_;
-                if (tasks_.empty()) return;
-                task = std::move(tasks_.front());
-                tasks_.pop_front();
-                waiting_ = tasks_.size() > idle_ ? tasks_.size() - idle_ : 0;
-            }
-            task();
-        }
-    }
+    void work(bool urgent_alone);
+    [[nodiscard]] Task next(bool urgent_alone);
 
     const std::size_t max_waiting_;
-    std::atomic<std::size_t>& waiting_;  ///< connections that no idle thread will take
     std::mutex mutex_;
-    std::condition_variable wake_;
-    std::deque<std::function<void()>> tasks_;
-    std::size_t idle_ = 0;
+    std::condition_variable added_;         ///< for threads that take anything
+    std::condition_variable urgent_added_;  ///< for the one that takes urgent ones alone
+    std::deque<Task> urgent_;
+    std::deque<Task> waiting_;
+    std::size_t idle_ = 0;  ///< threads that take anything
     bool ending_ = false;
-    std::vector<std::thread> threads_;
+    std::vector<std::jthread> threads_;  ///< last, so that they end first
 };
 
 }  // namespace ossuary::server

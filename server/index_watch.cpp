@@ -1,7 +1,8 @@
 #include "server/index_watch.h"
 
 #include <chrono>
-#include <exception>
+
+#include "server/without_exceptions.h"
 
 namespace ossuary::server {
 
@@ -12,29 +13,27 @@ void IndexWatch::work(std::stop_token stop) {
     using namespace std::chrono_literals;
     std::unique_lock lock(mutex_);
     while (!wake_.wait_for(lock, stop, 1s, [] { return false; }) && !stop.stop_requested()) {
-        try {
-            look();
-        } catch (const std::exception& exception) {
-            log_.error(std::string("index: ") + exception.what());
+        const auto looked = without_exceptions([this] { return look(); });
+        if (looked) {
+            if (!last_error_.empty()) log_.info("index: it can be used again");
+            last_error_.clear();
+            continue;
         }
+        const std::string error =
+            std::string(to_string(looked.error().code)) + ": " + looked.error().message;
+        if (error != last_error_) log_.error("index: " + error);
+        last_error_ = error;
     }
 }
 
-void IndexWatch::look() {
+Result<void> IndexWatch::look() {
     const auto state = searcher_.store().collection_state();
-    if (!state) {
-        const std::string error =
-            std::string(to_string(state.error().code)) + ": " + state.error().message;
-        if (error != last_error_) log_.error("index: " + error);
-        last_error_ = error;
-        return;
-    }
-    if (!last_error_.empty()) log_.info("index: it can be used again");
-    last_error_.clear();
-    if (state->replacements == replacements_) return;
+    if (!state) return state.error();
+    if (state->replacements == replacements_) return {};
     replacements_ = state->replacements;
     log_.warn("index: another file has taken its place and is served from now on, revision " +
               std::to_string(state->models));
+    return {};
 }
 
 }  // namespace ossuary::server

@@ -21,7 +21,7 @@ public:
 
 private:
     void work(std::stop_token stop);
-    void look();
+    Result<void> look();
 
     index::Searcher& searcher_;
     Log& log_;

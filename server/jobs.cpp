@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
-#include <new>
 
 #include "index/process_mark.h"
+#include "server/without_exceptions.h"
 
 namespace ossuary::server {
 
@@ -43,11 +42,13 @@ std::string_view to_string(index::UploadState state) {
     return "failed";
 }
 
-Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics, Describe describe)
+Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
+           std::function<void(bool removed)> changed, Describe describe)
     : store_(std::move(store)),
       limits_(limits),
       log_(log),
       metrics_(metrics),
+      changed_(std::move(changed)),
       describe_(std::move(describe)),
       mark_(index::process_mark()),
       timer_(limits.model_timeout_seconds) {
@@ -87,21 +88,16 @@ Result<std::optional<index::UploadId>> Jobs::add(const index::UploadedModel& upl
 Result<void> Jobs::remove(index::ModelId id) {
     if (auto removed = store_.remove(id); !removed) return removed;
     folded_ = false;
-    return index::update_statistics(store_);
+    changed_(true);
+    return {};
 }
 
 void Jobs::work(std::stop_token stop) {
     std::chrono::seconds pause = kInterval;
     while (!stop.stop_requested()) {
-        Turn turn = Turn::kIndexInTrouble;
         // Whatever a model brings about ends with that model, or is tried again; never the thread.
-        try {
-            turn = take_turn(stop);
-        } catch (const std::bad_alloc&) {
-            log_.error("jobs: out_of_memory");
-        } catch (const std::exception& exception) {
-            log_.error(std::string("jobs: ") + exception.what());
-        }
+        const auto taken = without_exceptions([&]() -> Result<Turn> { return take_turn(stop); });
+        const Turn turn = taken ? *taken : trouble(taken.error());
         if (turn == Turn::kDone) {
             pause = kInterval;
             continue;
@@ -145,19 +141,14 @@ Jobs::Turn Jobs::take_turn(const std::stop_token& stop) {
 Result<index::NewModel> Jobs::describe(const index::ClaimedUpload& upload,
                                        const std::stop_token& stop) {
     const index::ModelTimer::Watch watch(timer_, stop);
-    try {
-        auto model = describe_(upload.model, store_.parameters(), watch.token());
-        if (!model && model.error().code == ErrorCode::kCancelled) {
-            return {ErrorCode::kCancelled,
-                    upload.model.name + ": took longer than " +
-                        std::to_string(std::lround(limits_.model_timeout_seconds)) + " s"};
-        }
-        return model;
-    } catch (const std::bad_alloc&) {
-        return {ErrorCode::kOutOfMemory, upload.model.name + ": not enough memory"};
-    } catch (const std::exception& exception) {
-        return {ErrorCode::kInternal, upload.model.name + ": " + exception.what()};
+    auto model = without_exceptions(
+        [&] { return describe_(upload.model, store_.parameters(), watch.token()); });
+    if (!model && model.error().code == ErrorCode::kCancelled) {
+        return {ErrorCode::kCancelled,
+                upload.model.name + ": took longer than " +
+                    std::to_string(std::lround(limits_.model_timeout_seconds)) + " s"};
     }
+    return model;
 }
 
 Jobs::Turn Jobs::finish(const index::ClaimedUpload& upload, Result<index::NewModel> model) {
@@ -171,7 +162,7 @@ Jobs::Turn Jobs::finish(const index::ClaimedUpload& upload, Result<index::NewMod
     }
     log_.info(label(upload) + "model " + std::to_string(ids->front()));
     metrics_.job_done(true);
-    make_first_statistics();
+    changed_(false);
     report_queue();
     folded_ = false;
     return Turn::kDone;
@@ -192,16 +183,6 @@ Jobs::Turn Jobs::trouble(const Error& error) {
     if (words != last_trouble_) log_.error("jobs: " + words + "; uploads wait");
     last_trouble_ = words;
     return Turn::kIndexInTrouble;
-}
-
-/// Rankers cannot do without; later ones judge a model that statistics do not know by its own
-/// distances.
-void Jobs::make_first_statistics() {
-    const auto state = store_.collection_state();
-    if (!state || state->statistics >= 0) return;
-    if (const auto made = index::update_statistics(store_); !made) {
-        log_.error("statistics: " + in_words(made.error()));
-    }
 }
 
 void Jobs::report_queue() {

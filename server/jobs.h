@@ -37,8 +37,9 @@ public:
     using Describe = std::function<Result<index::NewModel>(
         const index::UploadedModel&, const index::IndexParameters&, std::stop_token)>;
 
+    /// @param changed  called after each change, with true where a model was removed
     Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
-         Describe describe = index::describe_upload);
+         std::function<void(bool removed)> changed, Describe describe = index::describe_upload);
     /// Leaves what waits, and what is under way, to the next server.
     ~Jobs();
 
@@ -58,13 +59,13 @@ private:
     Turn finish(const index::ClaimedUpload& upload, Result<index::NewModel> model);
     Turn fail(const index::ClaimedUpload& upload, const Error& error);
     Turn trouble(const Error& error);
-    void make_first_statistics();
     void report_queue();
 
     index::Store store_;
     const Limits limits_;
     Log& log_;
     Metrics& metrics_;
+    const std::function<void(bool removed)> changed_;
     const Describe describe_;
     const std::string mark_;
     index::ModelTimer timer_;

@@ -54,6 +54,7 @@ struct Response {
     Fields headers;
     bool close = false;  ///< end the connection after this answer
     std::string code;    ///< of the problem, for the log; empty for none
+    std::string cause;   ///< for the log alone: what went wrong on our side, empty for nothing
     std::string route;   ///< for metrics: the route's pattern, empty for none
 
     Response& set_header(std::string name, std::string value) {

@@ -174,6 +174,7 @@ Response to_response(const Problem& problem, std::string_view instance,
     // Bytes of the request that are not UTF-8 are shown as U+FFFD rather than refused again.
     response.body = document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     response.code = problem.row.code;
+    response.cause = problem.cause;
     response.headers = problem.headers;
     response.set_header("Cache-Control", "no-store");
     if (problem.row.retry_after_seconds > 0) {

@@ -28,7 +28,8 @@ struct Route {
     Check check = nullptr;
     Body body = Body::kNone;
     Audience audience = Audience::kEveryone;
-    bool heavy = false;  ///< needs a slot
+    bool heavy = false;   ///< needs a slot
+    bool urgent = false;  ///< see HttpHandler::is_urgent
 };
 
 /// Every route but the gallery's files. Of two patterns that fit, the earlier one is meant.

@@ -24,7 +24,7 @@ const std::vector<Route>& routes() {
         {"GET", "/v1/evaluations/{ranker}.svg", evaluation_svg},
         {"GET", "/v1/evaluations/{ranker}", evaluation_json},
         {"GET", "/v1/jobs/{id}", get_job},
-        {"GET", "/livez", live},
+        {"GET", "/livez", live, nullptr, Body::kNone, kEveryone, false, true},
         {"GET", "/readyz", ready},
         {"GET", "/metrics", metrics},
         {"GET", "/openapi.yaml", describe_interface},

@@ -28,9 +28,9 @@ struct Server::Parts {
           files(std::move(gallery)),
           slots(static_cast<std::size_t>(resolve_jobs(static_cast<int>(options.searches))),
                 options.searches_waiting),
-          evaluations(options.index, options.evaluation_models, log),
-          service{options,     log,   metrics,       searcher, slots,
-                  evaluations, files, std::string(), nullptr,  random_word()},
+          evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
+          service{options, log,           metrics, searcher, slots,        evaluations,
+                  files,   std::string(), nullptr, nullptr,  random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -78,12 +78,22 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
     if (!key->empty()) {
         auto store = index::Store::open(options.index, index::Access::kReadWrite);
         if (!store) return store.error();
+        auto second = index::Store::open(options.index, index::Access::kReadWrite);
+        if (!second) return second.error();
         Jobs::Limits limits;
         limits.waiting.waiting_bytes = options.http.max_bodies;
         limits.model_timeout_seconds = static_cast<double>(options.model_timeout.count());
         parts->service.admin_key = *std::move(key);
+        using When = StatisticsUpdater::When;
+        parts->service.statistics =
+            std::make_unique<StatisticsUpdater>(*std::move(second), parts->searcher, log);
+        StatisticsUpdater& statistics = *parts->service.statistics;
+        statistics.request(When::kMissing);
+        const auto changed = [&statistics](bool removed) {
+            statistics.request(removed ? When::kOutdated : When::kMissing);
+        };
         parts->service.jobs =
-            std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics);
+            std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics, changed);
     }
     auto port = parts->http.bind(options.host, options.port);
     if (!port) return port.error();

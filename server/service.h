@@ -12,6 +12,7 @@
 #include "server/options.h"
 #include "server/slots.h"
 #include "server/static_files.h"
+#include "server/statistics_updater.h"
 
 namespace ossuary::server {
 
@@ -24,9 +25,10 @@ struct Service {
     Slots& slots;  ///< for whatever keeps a processor busy
     Evaluations& evaluations;
     const StaticFiles& files;
-    std::string admin_key;       ///< empty where administration is off
-    std::unique_ptr<Jobs> jobs;  ///< none where administration is off
-    std::string instance;        ///< differs at each start; part of some entity tags
+    std::string admin_key;  ///< empty where administration is off, then there are neither of these
+    std::unique_ptr<StatisticsUpdater> statistics;
+    std::unique_ptr<Jobs> jobs;
+    std::string instance;  ///< differs at each start; part of some entity tags
     std::atomic<bool> draining = false;
 };
 

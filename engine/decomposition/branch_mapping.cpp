@@ -1,9 +1,12 @@
 #include "engine/decomposition/branch_mapping.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
+#include <tuple>
+#include <utility>
 
 namespace ossuary::decomposition {
 namespace {
@@ -56,29 +59,35 @@ BranchMapping::BranchMapping(const skeleton::SkeletonGraph& skeleton) {
 BranchMapping::~BranchMapping() = default;
 
 std::uint32_t BranchMapping::branch_of(const Vec3& point, const Vec3& normal) const {
-    std::vector<std::size_t> found;
-    std::vector<double> squared;
-    std::size_t nearest = 0, best = vertices_.size();
-    double best_distance = std::numeric_limits<double>::infinity();
-    std::size_t looked_at = 0;
-    for (std::size_t wanted = kFirstLook; looked_at < vertices_.size(); wanted *= 4) {
-        const std::size_t count = std::min(wanted, vertices_.size());
-        found.resize(count);
-        squared.resize(count);
-        tree_->index.knnSearch(point.data(), count, found.data(), squared.data());
-        nearest = found[0];
-        for (std::size_t k = looked_at; k < count; ++k) {
-            const double facing = (point - vertices_[found[k]]).dot(normal);
-            if (facing <= 0.0) continue;
-            const double distance = squared[k] / facing;  // |n_i|^2 / (n_i . n_j), |n_j| = 1
-            if (distance >= best_distance) continue;
-            best_distance = distance;
-            best = found[k];
+    struct Best {
+        double mapped = std::numeric_limits<double>::infinity();   // d_r
+        double squared = std::numeric_limits<double>::infinity();  // d_p^2
+        std::size_t vertex = 0;
+        [[nodiscard]] auto key() const { return std::tie(mapped, squared, vertex); }
+    };
+    Best best;
+    const auto look_at = [&](std::size_t vertex, double squared) {
+        const double facing = (point - vertices_[vertex]).dot(normal);
+        if (facing <= 0.0) return;
+        const Best candidate{squared / facing, squared, vertex};  // |n_j| = 1
+        if (candidate.key() < best.key()) best = candidate;
+    };
+    const std::size_t count = std::min(kFirstLook, vertices_.size());
+    std::array<std::size_t, kFirstLook> nearest{};
+    std::array<double, kFirstLook> squared{};
+    tree_->index.knnSearch(point.data(), count, nearest.data(), squared.data());
+    for (std::size_t k = 0; k < count; ++k) look_at(nearest[k], squared[k]);
+    if (best.mapped == std::numeric_limits<double>::infinity()) {
+        for (std::size_t v = 0; v < vertices_.size(); ++v) {
+            look_at(v, (point - vertices_[v]).squaredNorm());
         }
-        looked_at = count;
-        if (std::sqrt(squared[count - 1]) >= best_distance) break;
+    } else if (best.mapped > std::sqrt(squared[count - 1]) && count < vertices_.size()) {
+        std::vector<std::pair<std::size_t, double>> within;
+        tree_->index.radiusSearch(point.data(), best.mapped * best.mapped, within, {});
+        for (const auto& [vertex, distance] : within) look_at(vertex, distance);
     }
-    return branches_[best == vertices_.size() ? nearest : best];
+    const bool none = best.mapped == std::numeric_limits<double>::infinity();
+    return branches_[none ? nearest[0] : best.vertex];
 }
 
 }  // namespace ossuary::decomposition

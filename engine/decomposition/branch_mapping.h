@@ -13,9 +13,9 @@ namespace ossuary::decomposition {
 /// n_i the vector from a skeleton vertex to the point, n_j the surface's normal there and d_p the
 /// distance, the vertex with the least
 ///   d_r = d_n * d_p,   d_n = |n_i| |n_j| / (n_i . n_j)                        (eq. 3.7 - 3.9)
-/// wins. Vertices that the surface does not face away from (n_i . n_j <= 0) are out, unless all
-/// are: then the nearest wins. Exact, and without looking at all vertices: d_r >= d_p, so a search
-/// tree is asked for ever farther ones until they are farther than the best d_r.
+/// wins, of equal ones the nearest. Vertices that the surface does not face away from
+/// (n_i . n_j <= 0) are out, unless all are: then the nearest wins. Exact, and seldom by looking at
+/// all vertices: d_r >= d_p, so the nearest few bound how far away a better one can be.
 class BranchMapping {
 public:
     /// @param skeleton  in the units of the points; nodes belong to the first branch that ends

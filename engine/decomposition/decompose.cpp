@@ -72,10 +72,11 @@ Error too_many_parts(std::size_t wanted, std::size_t possible) {
 
 /// The thesis' parts are the branches themselves.
 Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& options,
-                       Decomposition& result) {
+                       const std::stop_token& stop, Decomposition& result) {
     Stopwatch watch;
     Labels labels;
-    labels.part_of_triangle = map_surface(model.mesh, result.skeleton, {.seed = options.seed});
+    labels.part_of_triangle =
+        map_surface(model.mesh, result.skeleton, {.seed = options.seed}, stop);
     labels.branch_of_triangle.assign(labels.part_of_triangle.size(), -1);
     if (!result.skeleton.branches.empty()) {
         std::copy(labels.part_of_triangle.begin(), labels.part_of_triangle.end(),
@@ -185,7 +186,9 @@ Result<Decomposition> decompose(const mesh::TriangleMesh& mesh, const DecomposeO
         const auto model = surface_and_skeleton(mesh, options.skeletonize, stop);
         if (!model) return model.error();
         Decomposition result = begin_decomposition(*model);
-        finish_decomposition(model->surface, label_by_branch(*model, options, result), result);
+        const Labels labels = label_by_branch(*model, options, stop, result);
+        if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
+        finish_decomposition(model->surface, labels, result);
         return result;
     }
     const Result<MeasuredPatches> patches = measure_patches(mesh, options, stop);

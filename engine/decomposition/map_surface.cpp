@@ -34,11 +34,13 @@ std::uint32_t label_of(const mesh::TriangleMesh::Triangle& triangle,
 
 std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
                                        const skeleton::SkeletonGraph& skeleton,
-                                       const MapSurfaceOptions& options) {
+                                       const MapSurfaceOptions& options,
+                                       const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::uint32_t>(mesh.triangles.size(), 0);
     const VertexGraph surface = vertex_graph(mesh);
     const BranchMapping mapping(skeleton);
     const auto branch_of = [&](std::uint32_t v) {
+        if (stop.stop_requested()) return std::uint32_t{0};
         return mapping.branch_of(mesh.vertices[v], surface.normals[v]);
     };
     std::vector<std::uint32_t> labels(surface.size(), kUnlabeled);

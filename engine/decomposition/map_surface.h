@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/decomposition/segmentation.h"
@@ -21,9 +22,10 @@ struct MapSurfaceOptions {
 /// whole.
 /// @param mesh      vertices told apart by index: weld a soup first
 /// @param skeleton  refined, in the mesh's units; without branches everything maps to 0
-/// @returns the branch of each triangle
+/// @returns the branch of each triangle; without meaning once asked to stop
 std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
                                        const skeleton::SkeletonGraph& skeleton,
-                                       const MapSurfaceOptions& options = {});
+                                       const MapSurfaceOptions& options = {},
+                                       const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

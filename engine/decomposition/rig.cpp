@@ -55,9 +55,10 @@ std::vector<std::uint16_t> add_joints(const skeleton::SkeletonGraph& skeleton, R
 }
 
 /// One half of each vertex's own weights, the other half of its neighbours' mean.
-void spread_once(const VertexGraph& surface, std::vector<Spread>& spreads) {
+void spread_once(const VertexGraph& surface, std::vector<Spread>& spreads,
+                 const std::stop_token& stop) {
     std::vector<Spread> result(spreads.size());
-    for (std::uint32_t v = 0; v < spreads.size(); ++v) {
+    for (std::uint32_t v = 0; v < spreads.size() && !stop.stop_requested(); ++v) {
         const auto around = surface.around(v);
         if (around.empty()) {
             result[v] = spreads[v];
@@ -90,20 +91,21 @@ Rig::Weights largest(Spread spread) {
 
 }  // namespace
 
-Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
-             int smoothing) {
+Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton, int smoothing,
+             const std::stop_token& stop) {
     Rig rig;
     const std::vector<std::uint16_t> joint_of_branch = add_joints(skeleton, rig);
     const VertexGraph surface = vertex_graph(mesh);
     std::vector<Spread> spreads(mesh.vertices.size(), Spread{{std::uint16_t{0}, 1.0F}});
     if (!skeleton.branches.empty()) {
         const BranchMapping mapping(skeleton);
-        for (std::size_t v = 0; v < spreads.size(); ++v) {
+        for (std::size_t v = 0; v < spreads.size() && !stop.stop_requested(); ++v) {
             const std::uint32_t branch = mapping.branch_of(mesh.vertices[v], surface.normals[v]);
             spreads[v][0].first = joint_of_branch[branch];
         }
     }
-    for (int round = 0; round < smoothing; ++round) spread_once(surface, spreads);
+    for (int round = 0; round < smoothing; ++round) spread_once(surface, spreads, stop);
+    if (stop.stop_requested()) return rig;
     for (Spread& spread : spreads) rig.weights.push_back(largest(std::move(spread)));
     return rig;
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -28,6 +29,8 @@ struct Rig {
     std::vector<Weights> weights;  ///< of each vertex of the mesh
 };
 
+inline constexpr int kRigSmoothing = 12;
+
 /// The first joint is the thickest node of the skeleton; every branch has a joint where it leaves
 /// the side of that node (loops are parted where the ways around them meet), and one more at its
 /// tip where it ends without another, so that there is something to take it by. Vertices first
@@ -35,7 +38,8 @@ struct Rig {
 /// the branch that they are mapped to (branch_mapping.h); then the weights are spread over the
 /// surface, `smoothing` times half to the neighbours, and the four largest kept.
 /// @param skeleton  refined, in the mesh's units; without branches all follow the first joint
+/// @param stop      once asked to stop, it returns soon, without weights
 Rig make_rig(const mesh::TriangleMesh& mesh, const skeleton::SkeletonGraph& skeleton,
-             int smoothing = 12);
+             int smoothing = kRigSmoothing, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
 
 namespace ossuary::matching {
 
 std::span<const std::uint32_t> Assignment::solve(std::span<const float> costs, std::size_t rows,
-                                                 std::size_t columns) {
+                                                 std::size_t columns, const std::stop_token& stop) {
     assert(rows <= columns && costs.size() >= rows * columns);
     column_of_row_.resize(rows);
     if (rows == 0) return column_of_row_;
@@ -26,6 +27,10 @@ std::span<const std::uint32_t> Assignment::solve(std::span<const float> costs, s
     row_of_column_.assign(columns + 1, 0);
     way_.assign(columns + 1, 0);
     for (std::size_t row = 1; row <= rows; ++row) {
+        if (stop.stop_requested()) {
+            std::iota(column_of_row_.begin(), column_of_row_.end(), 0U);
+            return column_of_row_;
+        }
         row_of_column_[0] = static_cast<std::uint32_t>(row);
         slack_.assign(columns + 1, std::numeric_limits<double>::infinity());
         visited_.assign(columns + 1, 0);

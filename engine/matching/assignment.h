@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace ossuary::matching {
@@ -13,10 +14,11 @@ class Assignment {
 public:
     /// Gives every row a column of its own so that the sum of costs is least. O(rows^2 columns).
     /// @param costs  row by row, finite
+    /// @param stop   once asked to stop, any assignment is given
     /// @pre rows <= columns
     /// @return the column of each row; valid until the next call
     std::span<const std::uint32_t> solve(std::span<const float> costs, std::size_t rows,
-                                         std::size_t columns);
+                                         std::size_t columns, const std::stop_token& stop = {});
 
 private:
     void solve_two_rows(std::span<const float> costs, std::size_t columns);

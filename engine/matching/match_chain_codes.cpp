@@ -10,6 +10,9 @@
 namespace ossuary::matching {
 
 struct ChainCodeMatchWorkspace::Buffers {
+    explicit Buffers(std::stop_token asked) : stop(std::move(asked)), matcher(stop) {}
+
+    std::stop_token stop;
     SignatureMatcher matcher;
     std::vector<std::uint32_t> partner;  // of a's graph nodes
     std::vector<std::uint32_t> tree_partner;
@@ -17,7 +20,8 @@ struct ChainCodeMatchWorkspace::Buffers {
     std::vector<Correspondence::Pair> branches;
 };
 
-ChainCodeMatchWorkspace::ChainCodeMatchWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+ChainCodeMatchWorkspace::ChainCodeMatchWorkspace(std::stop_token stop)
+    : buffers_(std::make_unique<Buffers>(std::move(stop))) {}
 ChainCodeMatchWorkspace::~ChainCodeMatchWorkspace() = default;
 ChainCodeMatchWorkspace::ChainCodeMatchWorkspace(ChainCodeMatchWorkspace&&) noexcept = default;
 ChainCodeMatchWorkspace& ChainCodeMatchWorkspace::operator=(ChainCodeMatchWorkspace&&) noexcept =
@@ -44,6 +48,7 @@ void take(Buffers& buffers, const Correspondence::Pair& pair) {
 void match_tree_branches(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                          const NodePairs& pairs, Buffers& buffers) {
     for (const auto& [u, v] : pairs) {
+        if (buffers.stop.stop_requested()) return;
         const SignatureTree::Node& from = a.hierarchy.nodes[u];
         const SignatureTree::Node& to = b.hierarchy.nodes[v];
         if (from.parent_branch == kNoIndex || to.parent_branch == kNoIndex) continue;
@@ -57,6 +62,7 @@ void match_tree_branches(const SkeletonDescriptor& a, const SkeletonDescriptor& 
 void match_cycle_branches(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
                           Buffers& buffers) {
     for (std::uint32_t i = 0; i < a.branches.size(); ++i) {
+        if (buffers.stop.stop_requested()) return;
         if (buffers.used_a[i] != 0) continue;
         const std::uint32_t first = buffers.partner[a.branches[i].a];
         const std::uint32_t second = buffers.partner[a.branches[i].b];
@@ -139,15 +145,15 @@ double chain_code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor
 }
 
 Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                        const ChainCodeMatchOptions& options) {
+                        const ChainCodeMatchOptions& options, const std::stop_token& stop) {
     if (!is_in_order(a, b)) {
-        Match match = match_chain_codes(b, a, options);
+        Match match = match_chain_codes(b, a, options, stop);
         for (auto* pairs : {&match.correspondence.nodes, &match.correspondence.branches}) {
             for (Correspondence::Pair& pair : *pairs) std::swap(pair.a, pair.b);
         }
         return match;
     }
-    ChainCodeMatchWorkspace workspace;
+    ChainCodeMatchWorkspace workspace(stop);
     Buffers& buffers = workspace.buffers();
     const NodePairs* pairs = nullptr;
     const Score score = compare(a, b, options, buffers, pairs);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "engine/matching/match.h"
 #include "engine/matching/skeleton_descriptor.h"
@@ -15,10 +16,11 @@ struct ChainCodeMatchOptions {
     bool operator==(const ChainCodeMatchOptions&) const = default;
 };
 
-/// What distance computations reuse between pairs; one for each thread.
+/// What distance computations reuse between pairs; one for each thread. Once asked to stop, they
+/// return soon, and what they return means nothing.
 class ChainCodeMatchWorkspace {
 public:
-    ChainCodeMatchWorkspace();
+    explicit ChainCodeMatchWorkspace(std::stop_token stop = {});
     ~ChainCodeMatchWorkspace();
     ChainCodeMatchWorkspace(ChainCodeMatchWorkspace&&) noexcept;
     ChainCodeMatchWorkspace& operator=(ChainCodeMatchWorkspace&&) noexcept;
@@ -35,9 +37,10 @@ private:
 /// distance, then the stretch/twist distance (eq. 3.6) over the branches whose ends are matched,
 /// 1 for each branch without a partner, and the mean.
 /// Zero for equal skeletons, symmetric bit by bit, in [0, 1] (with `sum`: up to the number of
-/// branches of both).
+/// branches of both). Means nothing once asked to stop.
 [[nodiscard]] Match match_chain_codes(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                                      const ChainCodeMatchOptions& options = {});
+                                      const ChainCodeMatchOptions& options = {},
+                                      const std::stop_token& stop = {});
 
 /// The distance of match_chain_codes alone, bit by bit.
 [[nodiscard]] double chain_code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,

@@ -114,7 +114,8 @@ void add_clusters(const PartQuery& part, Correspondence& match) {
 
 }  // namespace
 
-PartQuery::PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& options)
+PartQuery::PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& options,
+                     const std::stop_token& stop)
     : options_(options), node_count_(part.nodes.size()) {
     for (const SkeletonDescriptor::Branch& branch : part.branches) {
         branches_.emplace_back(branch.a, branch.b);
@@ -124,10 +125,10 @@ PartQuery::PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& opt
     sample.step = options.step;
     sample.every_top = true;
     sample.scale = options.largest;
-    for (int i = 0; i < options.candidates; ++i) {
+    for (int i = 0; i < options.candidates && !stop.stop_requested(); ++i) {
         Candidate candidate;
         candidate.scale = sample.scale;
-        candidate.tree = sample_tree(part, sample);
+        candidate.tree = sample_tree(part, sample, stop);
         for (const SampledTree::Top& top : candidate.tree.tops) {
             candidate.length = std::max(candidate.length, static_cast<double>(top.length));
         }
@@ -143,14 +144,15 @@ double part_distance(const PartQuery& part, const SkeletonDescriptor& whole, Par
     return find_best(part, tree, workspace).distance;
 }
 
-Match match_part(const PartQuery& part, const SkeletonDescriptor& whole) {
+Match match_part(const PartQuery& part, const SkeletonDescriptor& whole,
+                 const std::stop_token& stop) {
     Match match;
     if (part.empty()) return match;
     const SampledTree tree = whole_tree(part, whole);
-    PartEdit edit;
+    PartEdit edit(stop);
     const Best best = tree.tops.empty() ? Best{} : find_best(part, tree, edit);
     match.distance = best.distance;
-    if (best.distance >= 1.0) {
+    if (best.distance >= 1.0 || stop.stop_requested()) {
         match.parts = {{"exchanged", 0.0}, {"size", 0.0}, {"unmatched", 1.0}};
         return match;
     }
@@ -158,6 +160,7 @@ Match match_part(const PartQuery& part, const SkeletonDescriptor& whole) {
     const PartQuery::Candidate& candidate = part.candidates()[best.candidate];
     Found found{candidate.tree, tree, {}, {}};
     distance_at(part, best.candidate, tree, edit, found.place);
+    if (stop.stop_requested()) return match;
     edit.exchanged(candidate.tree, tree, found.place, found.pairs);
     add_nodes(found, edit, match.correspondence);
     const double exchanged = add_branches(found, edit, match.correspondence) /

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,10 @@ struct PartMatchOptions {
 /// A query's skeleton as a part to look for, at every candidate size; made once for a search.
 class PartQuery {
 public:
+    /// Once asked to stop, it has fewer candidates than it should.
     /// @pre the descriptor's matching data is derived
-    explicit PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& options = {});
+    explicit PartQuery(const SkeletonDescriptor& part, const PartMatchOptions& options = {},
+                       const std::stop_token& stop = {});
 
     struct Candidate {
         double scale = 1.0;
@@ -55,13 +58,15 @@ private:
 /// the part, at the size that suits best, to a connected piece of the model's skeleton, as a share
 /// of what removing the whole part costs (partial matching, thesis sec. 3.3.1). 0 where a skeleton
 /// contains the part at a candidate size, 1 for a model without a skeleton; 0 for a part without.
-/// Not symmetric. Free of scale, position, rotation and mirroring.
+/// Not symmetric. Free of scale, position, rotation and mirroring. Means nothing where the
+/// workspace was asked to stop.
 [[nodiscard]] double part_distance(const PartQuery& part, const SkeletonDescriptor& whole,
                                    PartEdit& workspace);
 
 /// The same with its parts (exchanged, size, unmatched) and the correspondence: a = the part's
 /// nodes and branches, b = the whole's. A branch may be matched with several, of each of which it
-/// is like a stretch.
-[[nodiscard]] Match match_part(const PartQuery& part, const SkeletonDescriptor& whole);
+/// is like a stretch. Means nothing once asked to stop.
+[[nodiscard]] Match match_part(const PartQuery& part, const SkeletonDescriptor& whole,
+                               const std::stop_token& stop = {});
 
 }  // namespace ossuary::matching

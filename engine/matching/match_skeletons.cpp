@@ -40,6 +40,7 @@ struct ExchangeCost {
 }  // namespace
 
 struct SkeletonMatchWorkspace::Buffers {
+    std::stop_token stop;
     std::optional<chain_code::AlignmentCosts> costs;
     chain_code::BatchAligner aligner;
     std::vector<float> code_cost;  // of each piece of a with each of b
@@ -48,7 +49,10 @@ struct SkeletonMatchWorkspace::Buffers {
     TreeEdit edit;
 };
 
-SkeletonMatchWorkspace::SkeletonMatchWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+SkeletonMatchWorkspace::SkeletonMatchWorkspace(std::stop_token stop)
+    : buffers_(std::make_unique<Buffers>()) {
+    buffers_->stop = std::move(stop);
+}
 SkeletonMatchWorkspace::~SkeletonMatchWorkspace() = default;
 SkeletonMatchWorkspace::SkeletonMatchWorkspace(SkeletonMatchWorkspace&&) noexcept = default;
 SkeletonMatchWorkspace& SkeletonMatchWorkspace::operator=(SkeletonMatchWorkspace&&) noexcept =
@@ -76,7 +80,7 @@ public:
     /// The cheapest pairing of roots: the edit distance of their trees over the trees' weight.
     Best best() {
         assert(!a_.trees.empty() && !b_.trees.empty());
-        buffers_.edit.solve(problem());
+        buffers_.edit.solve(problem(), buffers_.stop);
         Best best;
         bool first = true;
         for (std::size_t i = 0; i < a_.trees.size(); ++i) {
@@ -130,18 +134,20 @@ private:
         const auto deletion = static_cast<float>(options_.deletion);
         buffers_.remove_a.clear();
         buffers_.remove_b.clear();
-        buffers_.exchange.clear();
         for (const auto& node : a_.merged.nodes) {
             buffers_.remove_a.push_back(deletion * node.weight);
         }
         for (const auto& node : b_.merged.nodes) {
             buffers_.remove_b.push_back(deletion * node.weight);
         }
+        buffers_.exchange.resize(a_.merged.nodes.size() * b_.merged.nodes.size());
+        auto exchange = buffers_.exchange.begin();
         for (const auto& from : a_.merged.nodes) {
+            if (buffers_.stop.stop_requested()) break;
             for (const auto& to : b_.merged.nodes) {
                 const std::optional<ExchangeCost> cost = exchange_cost(from, to);
                 const float rate = cost ? cost->sum() : deletion;
-                buffers_.exchange.push_back(rate * (from.weight + to.weight));
+                *exchange++ = rate * (from.weight + to.weight);
             }
         }
         return as_problem();
@@ -165,6 +171,7 @@ private:
         if (buffers_.code_cost.size() < needed) buffers_.code_cost.resize(needed);
         buffers_.aligner.start(b_.batch, *buffers_.costs);
         for (std::uint32_t piece = 0; piece < a_.pieces.size(); ++piece) {
+            if (buffers_.stop.stop_requested()) return;
             buffers_.aligner.align(a_.code(piece),
                                    {buffers_.code_cost.data() + piece * columns, columns});
         }
@@ -241,18 +248,21 @@ double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& 
                          const SkeletonMatchOptions& options, SkeletonMatchWorkspace& workspace) {
     const Ordered pair = ordered(a, b);
     if (const auto distance = distance_of_empty(pair, options)) return *distance;
+    if (workspace.buffers().stop.stop_requested()) return 0.0;
     return static_cast<double>(Comparison(pair, options, workspace.buffers()).best().distance);
 }
 
 Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                      const SkeletonMatchOptions& options) {
+                      const SkeletonMatchOptions& options, const std::stop_token& stop) {
     const Ordered pair = ordered(a, b);
     if (const auto distance = distance_of_empty(pair, options)) {
         return {*distance, {{"unmatched", *distance}}, {}};
     }
-    SkeletonMatchWorkspace workspace;
+    SkeletonMatchWorkspace workspace(stop);
     Comparison comparison(pair, options, workspace.buffers());
-    Match match = explain(comparison, pair.a, pair.b, comparison.best());
+    const Comparison::Best best = comparison.best();
+    if (stop.stop_requested()) return {};
+    Match match = explain(comparison, pair.a, pair.b, best);
     if (pair.swapped) {
         for (auto* pairs : {&match.correspondence.nodes, &match.correspondence.branches}) {
             for (Correspondence::Pair& p : *pairs) std::swap(p.a, p.b);

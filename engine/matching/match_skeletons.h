@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "engine/chain_code/alignment.h"
 #include "engine/matching/match.h"
@@ -19,10 +20,11 @@ struct SkeletonMatchOptions {
     bool operator==(const SkeletonMatchOptions&) const = default;
 };
 
-/// What distance computations reuse between pairs; one for each thread, for any options.
+/// What distance computations reuse between pairs; one for each thread, for any options. Once asked
+/// to stop, they return soon, and what they return means nothing.
 class SkeletonMatchWorkspace {
 public:
-    SkeletonMatchWorkspace();
+    explicit SkeletonMatchWorkspace(std::stop_token stop = {});
     ~SkeletonMatchWorkspace();
     SkeletonMatchWorkspace(SkeletonMatchWorkspace&&) noexcept;
     SkeletonMatchWorkspace& operator=(SkeletonMatchWorkspace&&) noexcept;
@@ -43,8 +45,10 @@ private:
 /// Zero for equal skeletons, symmetric bit by bit, at most `deletion`. Free of scale and position,
 /// of rotation and mirroring, of numbering and direction of branches. The correspondence comes from
 /// backtracking; the two halves of a cut cycle are one branch. Parts: code, length, unmatched.
+/// Means nothing once asked to stop.
 [[nodiscard]] Match match_skeletons(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                                    const SkeletonMatchOptions& options = {});
+                                    const SkeletonMatchOptions& options = {},
+                                    const std::stop_token& stop = {});
 
 /// The distance of match_skeletons alone, bit by bit; allocates nothing once `workspace` is warm.
 [[nodiscard]] double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,

@@ -48,13 +48,14 @@ PartEdit::Place PartEdit::solve(const SampledTree& part, const SampledTree& whol
     Choice ignored;
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns_; ++j) {
+            if (stop_.stop_requested()) return {};
             forest_[i * columns_ + j] = forest_cost(i, j, ignored);
             tree_[i * columns_ + j] = tree_cost(i, j, ignored);
         }
     }
     Place best;
     best.cost = std::numeric_limits<float>::infinity();
-    for (std::uint32_t top = 0; top < part.tops.size(); ++top) {
+    for (std::uint32_t top = 0; top < part.tops.size() && !stop_.stop_requested(); ++top) {
         const auto offer = [&](Children children, std::uint32_t place, bool at_top) {
             const float cost = pair_children(part.tops[top].children, children, true, nullptr);
             if (cost < best.cost) best = {cost, top, place, at_top};
@@ -152,7 +153,7 @@ float PartEdit::pair_children(Children part, Children whole, bool free_rest,
     float cost = 0.0F;
     for (const std::uint32_t i : part) cost += of_part_.whole[i];
     for (const std::uint32_t j : whole) cost += cost_of_rest(j);
-    const auto column_of_row = assignment_.solve(gain_, rows.size(), columns.size());
+    const auto column_of_row = assignment_.solve(gain_, rows.size(), columns.size(), stop_);
     for (std::size_t r = 0; r < rows.size(); ++r) {
         const std::size_t c = column_of_row[r];
         const float gain = gain_[r * columns.size() + c];

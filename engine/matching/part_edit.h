@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -34,7 +35,10 @@ public:
         bool at_top = false;
     };
 
-    /// The cheapest place for the part; of equally cheap ones the first.
+    explicit PartEdit(std::stop_token stop = {}) : stop_(std::move(stop)) {}
+
+    /// The cheapest place for the part; of equally cheap ones the first. Once asked to stop, it
+    /// returns soon, and what it and the others give then means nothing.
     /// @pre both have a top
     Place solve(const SampledTree& part, const SampledTree& whole, const PartEditCosts& costs);
 
@@ -63,6 +67,7 @@ private:
     /// over cost nothing where `free_rest`.
     float pair_children(Children part, Children whole, bool free_rest, std::vector<Pair>* pairs);
 
+    std::stop_token stop_;
     const SampledTree* part_ = nullptr;
     const SampledTree* whole_ = nullptr;
     float radius_weight_ = 0.0F, radius_gain_ = 0.0F, turn_weight_ = 0.0F, removal_ = 0.0F;

@@ -62,11 +62,14 @@ public:
     Arrangement(std::vector<Site> a, std::vector<Site> b) : a_(std::move(a)), b_(std::move(b)) {}
 
     /// Exchanges the partners of like limbs as long as that makes the two stand more alike.
-    void settle() {
+    void settle(const std::stop_token& stop) {
         for (int round = 0; round < kRounds; ++round) {
             bool changed = false;
             for (std::size_t k = 0; k < a_.size(); ++k) {
-                for (std::size_t l = k + 1; l < a_.size(); ++l) changed |= try_exchange(k, l);
+                for (std::size_t l = k + 1; l < a_.size(); ++l) {
+                    if (stop.stop_requested()) return;
+                    changed |= try_exchange(k, l);
+                }
             }
             if (!changed) return;
         }
@@ -105,7 +108,7 @@ private:
 }  // namespace
 
 double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                     const Correspondence& match) {
+                     const Correspondence& match, const std::stop_token& stop) {
     // In the order that the matching itself keeps, so that both ways give the same bits.
     const bool swapped = a.rooted.content_key > b.rooted.content_key;
     const std::vector<Site> sites_a = sites_of(swapped ? b : a);
@@ -116,13 +119,13 @@ double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
         second.push_back(sites_b[swapped ? pair.a : pair.b]);
     }
     Arrangement arrangement(std::move(first), std::move(second));
-    arrangement.settle();
+    arrangement.settle(stop);
     return arrangement.distance();
 }
 
 double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                     const SkeletonMatchOptions& options) {
-    return pose_distance(a, b, match_skeletons(a, b, options).correspondence);
+                     const SkeletonMatchOptions& options, const std::stop_token& stop) {
+    return pose_distance(a, b, match_skeletons(a, b, options, stop).correspondence, stop);
 }
 
 }  // namespace ossuary::matching

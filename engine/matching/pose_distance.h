@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/matching/match_skeletons.h"
 
 namespace ossuary::matching {
@@ -12,12 +14,13 @@ namespace ossuary::matching {
 /// apart, are matched as they stand best. 0 for equal skeletons and where nothing is matched.
 /// Symmetric bit by bit.
 /// The direction codes of branches (thesis sec. 3.3.2) are each in a frame of the branch's own:
-/// they know how a limb is bent, not how it is held.
+/// they know how a limb is bent, not how it is held. Means nothing once asked to stop.
 [[nodiscard]] double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                                   const SkeletonMatchOptions& options = {});
+                                   const SkeletonMatchOptions& options = {},
+                                   const std::stop_token& stop = {});
 
 /// The same from the correspondence of `match_skeletons(a, b)`.
 [[nodiscard]] double pose_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
-                                   const Correspondence& match);
+                                   const Correspondence& match, const std::stop_token& stop = {});
 
 }  // namespace ossuary::matching

@@ -48,8 +48,8 @@ void append_edges(const SkeletonDescriptor& descriptor, const SkeletonPaths& pat
 class Hanger {
 public:
     Hanger(const SkeletonDescriptor& descriptor, const SampleTreeOptions& options,
-           std::vector<Edge> edges)
-        : descriptor_(descriptor), options_(options), edges_(std::move(edges)) {
+           std::vector<Edge> edges, const std::stop_token& stop)
+        : descriptor_(descriptor), options_(options), edges_(std::move(edges)), stop_(stop) {
         ends_.resize(descriptor.nodes.size());
         for (std::uint32_t i = 0; i < edges_.size(); ++i) {
             ends_[edges_[i].start].push_back({i, true});
@@ -61,6 +61,7 @@ public:
         SampledTree::Top top;
         top.graph_node = graph_node;
         for (const Walk& walk : ends_[graph_node]) {
+            if (stop_.stop_requested()) return;
             const Hung hung = below(walk);
             top.children.push_back(hung.first_piece);
             top.length += hung.length;
@@ -91,6 +92,7 @@ private:
     Hung below(const Walk& walk) {
         std::vector<Walk> open = {walk};
         while (!open.empty()) {
+            if (stop_.stop_requested()) return {};
             const Walk current = open.back();
             if (known_.contains(current)) {
                 open.pop_back();
@@ -164,6 +166,7 @@ private:
     const SkeletonDescriptor& descriptor_;
     const SampleTreeOptions& options_;
     std::vector<Edge> edges_;
+    const std::stop_token& stop_;
     std::vector<std::vector<Walk>> ends_;
     std::map<Walk, Hung> known_;
     SampledTree tree_;
@@ -172,7 +175,8 @@ private:
 
 }  // namespace
 
-SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOptions& options) {
+SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOptions& options,
+                        const std::stop_token& stop) {
     if (descriptor.rooted.trees.empty()) return {};
     // The middle of each component, the heaviest first.
     std::vector<std::uint32_t> middles;
@@ -193,8 +197,9 @@ SampledTree sample_tree(const SkeletonDescriptor& descriptor, const SampleTreeOp
             tops.push_back(middle);
         }
     }
-    Hanger hanger(descriptor, options, std::move(edges));
+    Hanger hanger(descriptor, options, std::move(edges), stop);
     for (const std::uint32_t top : tops) hanger.hang(top);
+    if (stop.stop_requested()) return {};
     return hanger.finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/matching/skeleton_descriptor.h"
@@ -41,8 +42,10 @@ struct SampleTreeOptions {
     bool every_top = false;
 };
 
+/// Empty once asked to stop.
 /// @pre the descriptor's matching data is derived
 [[nodiscard]] SampledTree sample_tree(const SkeletonDescriptor& descriptor,
-                                      const SampleTreeOptions& options = {});
+                                      const SampleTreeOptions& options = {},
+                                      const std::stop_token& stop = {});
 
 }  // namespace ossuary::matching

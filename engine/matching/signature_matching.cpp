@@ -57,7 +57,7 @@ void SignatureMatcher::weigh_pairs(const SkeletonDescriptor& a, const SkeletonDe
     const std::size_t columns = b.hierarchy.nodes.size();
     weight_.assign(a.hierarchy.nodes.size() * columns, 0.0F);
     const auto share = static_cast<float>(significance_weight);
-    for (Node u = 0; u < a.hierarchy.nodes.size(); ++u) {
+    for (Node u = 0; u < a.hierarchy.nodes.size() && !stop_.stop_requested(); ++u) {
         if (is_end_point(a.hierarchy, u)) continue;
         for (Node v = 0; v < columns; ++v) {
             if (is_end_point(b.hierarchy, v)) continue;
@@ -88,6 +88,7 @@ void SignatureMatcher::match_inner_nodes(const SignatureTree& a, const Signature
         Key best_key;
         Node best_u = kNoIndex, best_v = kNoIndex;
         for (Node u = a.nodes[top_a].first_in_subtree; u <= top_a; ++u) {
+            if (stop_.stop_requested()) return;
             if (partner_a_[u] != kNoIndex || is_end_point(a, u)) continue;
             for (Node v = b.nodes[top_b].first_in_subtree; v <= top_b; ++v) {
                 if (partner_b_[v] != kNoIndex || is_end_point(b, v)) continue;
@@ -120,12 +121,12 @@ void SignatureMatcher::match_end_points(const SkeletonDescriptor& a, const Skele
     for (const float p : remove_a_) {
         for (const float q : remove_b_) exchange_.push_back(std::abs(p - q));
     }
-    edit_.solve({ta.shape, tb.shape, remove_a_, remove_b_, exchange_});
+    edit_.solve({ta.shape, tb.shape, remove_a_, remove_b_, exchange_}, stop_);
 
     std::vector<Node> rows, columns;
     std::vector<float> costs;
     const std::size_t inner_pairs = pairs_.size();
-    for (std::size_t k = 0; k < inner_pairs; ++k) {
+    for (std::size_t k = 0; k < inner_pairs && !stop_.stop_requested(); ++k) {
         const auto [u, v] = pairs_[k];
         rows.clear();
         columns.clear();
@@ -147,7 +148,7 @@ void SignatureMatcher::match_end_points(const SkeletonDescriptor& a, const Skele
                 costs.push_back(edit_.distance(i, j) + tie);
             }
         }
-        const auto column_of_row = assignment_.solve(costs, rows.size(), columns.size());
+        const auto column_of_row = assignment_.solve(costs, rows.size(), columns.size(), stop_);
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const Node c = columns[column_of_row[r]];
             transposed ? join(c, rows[r]) : join(rows[r], c);
@@ -163,7 +164,7 @@ const NodePairs& SignatureMatcher::match(const SkeletonDescriptor& a, const Skel
     if (a.hierarchy.nodes.empty() || b.hierarchy.nodes.empty()) return pairs_;
     weigh_pairs(a, b, options.significance_weight);
     match_inner_nodes(a.hierarchy, b.hierarchy);
-    match_end_points(a, b);
+    if (!stop_.stop_requested()) match_end_points(a, b);
     return pairs_;
 }
 

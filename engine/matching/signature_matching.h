@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SignatureMatchOptions {
 /// Topology matching of thesis sec. 3.3.1. Keeps its buffers between calls.
 class SignatureMatcher {
 public:
+    /// Once asked to stop, `match` returns soon with some of the pairs.
+    explicit SignatureMatcher(std::stop_token stop = {}) : stop_(std::move(stop)) {}
+
     /// Matches the non-terminal nodes (Sundar, Silver, Gagvani, Dickinson, "Skeleton based shape
     /// matching and retrieval", SMI 2003, sec. 4): the cheapest pair first, then the nodes below
     /// the two, then the rest; a pair that would put a node above its matched ancestor is passed
@@ -39,6 +43,7 @@ private:
                                        Node v) const;
     void join(Node u, Node v);
 
+    std::stop_token stop_;
     NodePairs pairs_;
     std::vector<float> weight_;
     std::vector<Node> partner_a_, partner_b_;

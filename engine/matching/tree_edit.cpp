@@ -17,7 +17,8 @@ void TreeEdit::sum_removals(const TreeShape& tree, std::span<const float> remove
     }
 }
 
-void TreeEdit::solve(const TreeEditProblem& problem) {
+void TreeEdit::solve(const TreeEditProblem& problem, std::stop_token stop) {
+    stop_ = std::move(stop);
     const std::size_t rows = problem.a.size();
     columns_ = problem.b.size();
     assert(problem.remove_a.size() == rows && problem.remove_b.size() == columns_);
@@ -29,7 +30,7 @@ void TreeEdit::solve(const TreeEditProblem& problem) {
         forest_.resize(rows * columns_);
     }
     Choice ignored;
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = 0; i < rows && !stop_.stop_requested(); ++i) {
         const bool a_is_leaf = problem.a.children(i).empty();
         for (std::size_t j = 0; j < columns_; ++j) {
             const std::size_t at = i * columns_ + j;
@@ -38,6 +39,7 @@ void TreeEdit::solve(const TreeEditProblem& problem) {
                 tree_[at] = problem.exchange[at];
                 continue;
             }
+            if (stop_.stop_requested()) return;  // a pair of hubs takes long by itself
             forest_[at] = forest_cost(problem, i, j, ignored);
             tree_[at] = tree_cost(problem, i, j, ignored);
         }
@@ -114,7 +116,7 @@ float TreeEdit::pair_children(const TreeEditProblem& problem, std::size_t i, std
             gain_[r * columns.size() + c] = std::min(0.0F, exchange(rows[r], columns[c]) - removal);
         }
     }
-    const auto column_of_row = assignment_.solve(gain_, rows.size(), columns.size());
+    const auto column_of_row = assignment_.solve(gain_, rows.size(), columns.size(), stop_);
     taken_.assign(columns.size(), 0);
     float cost = 0.0F;
     for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -27,8 +28,9 @@ class TreeEdit {
 public:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-    /// Compares every subtree of a with every subtree of b.
-    void solve(const TreeEditProblem& problem);
+    /// Compares every subtree of a with every subtree of b. Once asked to stop, it returns soon,
+    /// and what the others give then means nothing.
+    void solve(const TreeEditProblem& problem, std::stop_token stop = {});
 
     /// The least cost of turning the subtree of a at node i into that of b at node j, in the last
     /// problem solved; 0 for equal subtrees, exactly.
@@ -55,6 +57,7 @@ private:
     void sum_removals(const TreeShape& tree, std::span<const float> remove,
                       std::vector<float>& whole, std::vector<float>& below) const;
 
+    std::stop_token stop_;
     std::size_t columns_ = 0;
     std::vector<float> whole_a_, below_a_;  // cost of removing a subtree, the forest below a node
     std::vector<float> whole_b_, below_b_;

@@ -9,14 +9,16 @@
 namespace ossuary::ranking {
 
 /// Calls body(meter, i) once for each i below `count` on `options.jobs` threads, in blocks that
-/// share a meter; `body` must write only what belongs to i.
+/// share a meter; `body` must write only what belongs to i. No more calls once asked to stop.
 template <typename Body>
 void for_each_with_meter(std::size_t count, const RankOptions& options, const Body& body) {
     constexpr std::size_t kBlock = 32;
     parallel_for((count + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
         PairMeter meter(options);
         const std::size_t end = std::min(count, (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < end; ++i) body(meter, i);
+        for (std::size_t i = block * kBlock; i < end && !options.stop.stop_requested(); ++i) {
+            body(meter, i);
+        }
     });
 }
 

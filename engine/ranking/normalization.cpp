@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "engine/core/parallel.h"
+#include "engine/ranking/cancelled.h"
 
 namespace ossuary::ranking {
 namespace {
@@ -100,22 +101,25 @@ ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
 
 /// For each model of `rows` the sum of its distances to the references, itself left out.
 std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector<std::size_t>& rows,
-                                    const std::vector<std::size_t>& references, int jobs) {
+                                    const std::vector<std::size_t>& references,
+                                    const RankOptions& options) {
     // Reference i measures the references after it; the other half of that square is its mirror.
     std::vector<std::vector<ComponentValues>> among(references.size());
-    parallel_for(references.size(), jobs, [&](std::size_t i) {
-        PairMeter meter{RankOptions{}};
-        for (std::size_t j = i + 1; j < references.size(); ++j) {
+    parallel_for(references.size(), options.jobs, [&](std::size_t i) {
+        PairMeter meter(options);
+        for (std::size_t j = i + 1; j < references.size() && !options.stop.stop_requested(); ++j) {
             among[i].push_back(
                 meter.components(*collection[references[i]], *collection[references[j]]));
         }
     });
+    if (options.stop.stop_requested()) return {};
     std::vector<ScaleSum> sums(rows.size());
-    parallel_for(rows.size(), jobs, [&](std::size_t row) {
+    parallel_for(rows.size(), options.jobs, [&](std::size_t row) {
         const auto found = std::lower_bound(references.begin(), references.end(), rows[row]);
         if (found == references.end() || *found != rows[row]) {
-            PairMeter meter{RankOptions{}};
+            PairMeter meter(options);
             for (const std::size_t reference : references) {
+                if (options.stop.stop_requested()) return;
                 sums[row].add(meter.components(*collection[rows[row]], *collection[reference]));
             }
             return;
@@ -170,14 +174,19 @@ ModelScale scale_of_row(const std::vector<ComponentValues>& distances, const Mod
     return sum.scale(pooled, kPooledWeight);
 }
 
-CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs) {
+Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, int jobs,
+                                                   const std::stop_token& stop) {
     const std::vector<std::size_t> references = reference_models(collection.size());
     std::vector<std::size_t> rows = references;
     if (collection.size() <= kMaxKnown) {
         rows.resize(collection.size());
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
     }
-    const std::vector<ScaleSum> sums = sum_distances(collection, rows, references, jobs);
+    RankOptions options;
+    options.jobs = jobs;
+    options.stop = stop;
+    const std::vector<ScaleSum> sums = sum_distances(collection, rows, references, options);
+    if (stop.stop_requested()) return cancelled();
 
     ScaleSum all;
     for (const ScaleSum& sum : sums) all.add(sum);

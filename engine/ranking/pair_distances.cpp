@@ -14,7 +14,7 @@ std::string_view component_name(std::size_t component) {
 }
 
 double PairMeter::pose_weight() const {
-    constexpr double kNone = RankOptions{}.pose;
+    constexpr double kNone = kDefaultPose;
     constexpr double kFull = 2.0;
     return kFull * std::max(0.0, skeleton_options_.pose - kNone) / (1.0 - kNone);
 }
@@ -27,9 +27,9 @@ double PairMeter::skeleton(const descriptor::ModelDescriptor& a,
                                            skeleton_workspace_);
     }
     const matching::Match match =
-        matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_);
+        matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
     return match.distance +
-           weight * matching::pose_distance(a.skeleton, b.skeleton, match.correspondence);
+           weight * matching::pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
 }
 
 ComponentValues PairMeter::components(const descriptor::ModelDescriptor& a,

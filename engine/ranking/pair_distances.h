@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stop_token>
 #include <string_view>
 
 #include "engine/descriptor/global_descriptors.h"
@@ -32,16 +33,21 @@ inline constexpr std::size_t kSkeletonComponents = 3;
 
 /// How far what bending changes counts: 1 from the default of RankOptions::pose on.
 [[nodiscard]] inline double pose_share(const RankOptions& options) {
-    return std::min(options.pose / RankOptions{}.pose, 1.0);
+    return std::min(options.pose / kDefaultPose, 1.0);
 }
 
 [[nodiscard]] std::string_view component_name(std::size_t component);
 
-/// Measures pairs of models; one for each thread, because it owns the matchers' buffers.
+/// Measures pairs of models; one for each thread, because it owns the matchers' buffers. Once the
+/// options' `stop` asks, it returns soon, and what it returns means nothing.
 class PairMeter {
 public:
     explicit PairMeter(const RankOptions& options)
-        : components_(component_count(options.ranker)), pose_share_(pose_share(options)) {
+        : components_(component_count(options.ranker)),
+          pose_share_(pose_share(options)),
+          stop_(options.stop),
+          chain_code_workspace_(stop_),
+          skeleton_workspace_(stop_) {
         skeleton_options_.pose = options.pose;
     }
 
@@ -73,6 +79,7 @@ public:
 private:
     std::size_t components_;
     double pose_share_;
+    std::stop_token stop_;
     matching::ChainCodeMatchOptions chain_code_options_;
     matching::SkeletonMatchOptions skeleton_options_;
     matching::ChainCodeMatchWorkspace chain_code_workspace_;

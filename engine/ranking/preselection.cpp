@@ -7,6 +7,7 @@
 
 #include "engine/descriptor/byte_distance.h"
 #include "engine/descriptor/signature.h"
+#include "engine/ranking/cancelled.h"
 #include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/rerank.h"
@@ -63,12 +64,11 @@ public:
             PairMeter meter(options_);
             const std::size_t own = models[i].index;
             const FusionSide side = side_of(own);
-            std::vector<double> row;
-            for (const std::size_t other : others) {
-                const std::size_t index = models[other].index;
-                row.push_back(
-                    fused_distance(meter.components(*collection_[own], *collection_[index]), side,
-                                   side_of(index)));
+            std::vector<double> row(others.size());
+            for (std::size_t k = 0; k < others.size() && !options_.stop.stop_requested(); ++k) {
+                const std::size_t index = models[others[k]].index;
+                row[k] = fused_distance(meter.components(*collection_[own], *collection_[index]),
+                                        side, side_of(index));
             }
             return row;
         };
@@ -107,13 +107,14 @@ private:
     FusionSide side_;
 };
 
-std::vector<RankedModel> all_models(const descriptor::ModelDescriptor& query,
-                                    DescriptorSpan collection,
-                                    const CollectionStatistics& statistics,
-                                    const RankOptions& options, std::size_t count) {
-    const std::vector<double> distances = rank_distances(query, collection, statistics, options);
+Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query,
+                                            DescriptorSpan collection,
+                                            const CollectionStatistics& statistics,
+                                            const RankOptions& options, std::size_t count) {
+    const auto distances = rank_distances(query, collection, statistics, options);
+    if (!distances) return distances.error();
     std::vector<RankedModel> models;
-    for (std::size_t i = 0; i < distances.size(); ++i) models.push_back({i, distances[i]});
+    for (std::size_t i = 0; i < distances->size(); ++i) models.push_back({i, (*distances)[i]});
     keep_nearest(models, count);
     return models;
 }
@@ -157,10 +158,12 @@ std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signatur
     return indices;
 }
 
-std::vector<RankedModel> nearest_models(const descriptor::ModelDescriptor& query,
-                                        DescriptorSpan collection, const Preselection& preselection,
-                                        const CollectionStatistics& statistics,
-                                        const RankOptions& options, const NearestOptions& nearest) {
+Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
+                                                DescriptorSpan collection,
+                                                const Preselection& preselection,
+                                                const CollectionStatistics& statistics,
+                                                const RankOptions& options,
+                                                const NearestOptions& nearest) {
     if (options.part || options.ranker == RankerKind::kChainCode ||
         collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals) {
         return all_models(query, collection, statistics, options, nearest.count);
@@ -179,6 +182,7 @@ std::vector<RankedModel> nearest_models(const descriptor::ModelDescriptor& query
         keep_nearest(models, models.size());
         search.rerank_models(models);
     }
+    if (options.stop.stop_requested()) return cancelled();
     keep_nearest(models, nearest.count);
     return models;
 }

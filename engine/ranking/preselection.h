@@ -47,12 +47,13 @@ struct NearestOptions {
 /// signatures, the global descriptors of what is left, then the ranker's own distance of the
 /// finalists, bit by bit that of rank_distances. The thesis' `chain-code`, parts, more than a tenth
 /// of the finalists wanted, and small collections are measured exhaustively. With `rerank` the
-/// nearest 200 finalists change places among themselves.
+/// nearest 200 finalists change places among themselves. Errors: cancelled.
 /// @param preselection  of this collection
-std::vector<RankedModel> nearest_models(const descriptor::ModelDescriptor& query,
-                                        DescriptorSpan collection, const Preselection& preselection,
-                                        const CollectionStatistics& statistics,
-                                        const RankOptions& options,
-                                        const NearestOptions& nearest = {});
+Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
+                                                DescriptorSpan collection,
+                                                const Preselection& preselection,
+                                                const CollectionStatistics& statistics,
+                                                const RankOptions& options,
+                                                const NearestOptions& nearest = {});
 
 }  // namespace ossuary::ranking

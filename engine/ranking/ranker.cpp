@@ -7,6 +7,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/matching/pose_distance.h"
+#include "engine/ranking/cancelled.h"
 #include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
 #include "engine/ranking/normalization.h"
@@ -22,6 +23,7 @@ std::vector<FusionSide> fusion_sides(DescriptorSpan collection, const Normalizat
     std::vector<FusionSide> sides(collection.size());
     if (options.ranker == RankerKind::kChainCode) return sides;
     parallel_for(collection.size(), options.jobs, [&](std::size_t i) {
+        if (options.stop.stop_requested()) return;
         const ModelScale& scale = normalization.scale(*collection[i]);
         sides[i] = fusion_side(*collection[i], scale, options);
     });
@@ -90,7 +92,7 @@ std::vector<double> mirrored_matrix(DescriptorSpan collection, const std::vector
     std::vector<double> matrix(n * n, 0.0);
     parallel_for(n, options.jobs, [&](std::size_t i) {
         PairMeter meter(options);
-        for (std::size_t j = i; j < n; ++j) {
+        for (std::size_t j = i; j < n && !options.stop.stop_requested(); ++j) {
             const double d = collection_distance(meter, collection, sides, options.ranker, i, j);
             matrix[i * n + j] = d;
             matrix[j * n + i] = d;
@@ -106,6 +108,37 @@ std::vector<matching::DistancePart> split(double share, const matching::Match& m
         part.value *= match.distance > 0.0 ? share / match.distance : 0.0;
     }
     return parts;
+}
+
+matching::Match explain_whole(const descriptor::ModelDescriptor& query,
+                              const descriptor::ModelDescriptor& other,
+                              const CollectionStatistics& statistics, const RankOptions& options) {
+    PairMeter meter(options);
+    if (options.ranker == RankerKind::kChainCode) {
+        return matching::match_chain_codes(query.skeleton, other.skeleton,
+                                           meter.chain_code_options(), options.stop);
+    }
+    matching::Match match = matching::match_skeletons(query.skeleton, other.skeleton,
+                                                      meter.skeleton_options(), options.stop);
+    if (const double weight = meter.pose_weight(); weight > 0.0) {
+        const double pose = weight * matching::pose_distance(query.skeleton, other.skeleton,
+                                                             match.correspondence, options.stop);
+        match.parts.push_back({"pose", pose});
+        match.distance += pose;
+    }
+    const Normalization normalization(statistics);
+    const FusionSide a = fusion_side(query, normalization.scale(query), options);
+    const FusionSide b = fusion_side(other, normalization.scale(other), options);
+    const ComponentValues distances = meter.components(query, other);
+    const ComponentValues parts = fused_parts(distances, a, b);
+    std::vector<matching::DistancePart> named;
+    if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
+    for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
+        named.push_back({std::string(component_name(c)), parts[c]});
+    }
+    match.parts = std::move(named);
+    match.distance = fused_distance(distances, a, b);
+    return match;
 }
 
 }  // namespace
@@ -131,30 +164,34 @@ Result<RankerKind> parse_ranker(std::string_view name) {
             "ranker '" + std::string(name) + "'; expected hybrid, skeleton or chain-code"};
 }
 
-std::vector<double> rank_distances(const descriptor::ModelDescriptor& query,
-                                   DescriptorSpan collection,
-                                   const CollectionStatistics& statistics,
-                                   const RankOptions& options) {
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query,
+                                           DescriptorSpan collection,
+                                           const CollectionStatistics& statistics,
+                                           const RankOptions& options) {
     assert(!(options.part && options.rerank));
     if (options.part) return part_distances(query, collection, options);
     const Normalization normalization(statistics);
     const std::vector<FusionSide> sides = fusion_sides(collection, normalization, options);
     std::vector<double> distances = row_distances(query, collection, normalization, sides, options);
-    if (!options.rerank) return distances;
-    const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
-        PairMeter meter(options);
-        std::vector<double> row;
-        row.reserve(others.size());
-        for (const std::size_t j : others) {
-            row.push_back(collection_distance(meter, collection, sides, options.ranker, i, j));
-        }
-        return row;
-    };
-    return rerank(distances, among, {}, options.jobs);
+    if (options.rerank) {
+        const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
+            PairMeter meter(options);
+            std::vector<double> row(others.size());
+            for (std::size_t k = 0; k < others.size() && !options.stop.stop_requested(); ++k) {
+                row[k] =
+                    collection_distance(meter, collection, sides, options.ranker, i, others[k]);
+            }
+            return row;
+        };
+        distances = rerank(distances, among, {}, options.jobs);
+    }
+    if (options.stop.stop_requested()) return cancelled();
+    return distances;
 }
 
-DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
-                               const RankOptions& options) {
+Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
+                                       const CollectionStatistics& statistics,
+                                       const RankOptions& options) {
     assert(!options.part);
     const std::size_t n = collection.size();
     DistanceMatrix matrix;
@@ -167,7 +204,9 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
     const Normalization normalization(statistics);
     if (options.ranker != RankerKind::kChainCode && !all_known(collection, normalization)) {
         for (std::size_t i = 0; i < n; ++i) {
-            set_row(i, rank_distances(*collection[i], collection, statistics, options));
+            const auto row = rank_distances(*collection[i], collection, statistics, options);
+            if (!row) return row.error();
+            set_row(i, *row);
         }
         return matrix;
     }
@@ -180,42 +219,22 @@ DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatis
         return row;
     };
     parallel_for(n, options.jobs, [&](std::size_t i) {
+        if (options.stop.stop_requested()) return;
         const auto begin = full.begin() + static_cast<std::ptrdiff_t>(i * n);
         std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(n));
         set_row(i, options.rerank ? rerank(row, among) : row);
     });
+    if (options.stop.stop_requested()) return cancelled();
     return matrix;
 }
 
-matching::Match explain(const descriptor::ModelDescriptor& query,
-                        const descriptor::ModelDescriptor& other,
-                        const CollectionStatistics& statistics, const RankOptions& options) {
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
+                                const descriptor::ModelDescriptor& other,
+                                const CollectionStatistics& statistics,
+                                const RankOptions& options) {
     if (options.part) return explain_part(query, other, options);
-    PairMeter meter(options);
-    if (options.ranker == RankerKind::kChainCode) {
-        return matching::match_chain_codes(query.skeleton, other.skeleton,
-                                           meter.chain_code_options());
-    }
-    matching::Match match =
-        matching::match_skeletons(query.skeleton, other.skeleton, meter.skeleton_options());
-    if (const double weight = meter.pose_weight(); weight > 0.0) {
-        const double pose =
-            weight * matching::pose_distance(query.skeleton, other.skeleton, match.correspondence);
-        match.parts.push_back({"pose", pose});
-        match.distance += pose;
-    }
-    const Normalization normalization(statistics);
-    const FusionSide a = fusion_side(query, normalization.scale(query), options);
-    const FusionSide b = fusion_side(other, normalization.scale(other), options);
-    const ComponentValues distances = meter.components(query, other);
-    const ComponentValues parts = fused_parts(distances, a, b);
-    std::vector<matching::DistancePart> named;
-    if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
-    for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
-        named.push_back({std::string(component_name(c)), parts[c]});
-    }
-    match.parts = std::move(named);
-    match.distance = fused_distance(distances, a, b);
+    matching::Match match = explain_whole(query, other, statistics, options);
+    if (options.stop.stop_requested()) return cancelled();
     return match;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -22,14 +23,18 @@ Result<RankerKind> parse_ranker(std::string_view name);
 inline constexpr RankerKind kAllRankers[] = {RankerKind::kHybrid, RankerKind::kSkeleton,
                                              RankerKind::kChainCode};
 
+inline constexpr double kDefaultPose = 0.15;
+
 struct RankOptions {
     RankerKind ranker = RankerKind::kHybrid;
-    double pose = 0.15;   ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
-    bool rerank = false;  ///< unsupervised re-ranking over the collection
+    double pose = kDefaultPose;  ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
+    bool rerank = false;         ///< unsupervised re-ranking over the collection
     /// The query is looked for as a part of each model (match_part.h), by skeletons alone, whatever
     /// the ranker; not together with `rerank`.
     bool part = false;
     int jobs = 1;
+    std::stop_token stop =
+        {};  ///< looked at every few milliseconds; then the outcome is `cancelled`
 };
 
 /// What normalisation needs to know of a collection; made once for an index and stored with it.
@@ -51,31 +56,37 @@ using DescriptorSpan = std::span<const descriptor::ModelDescriptor* const>;
 /// and deviation of its distances to at most 500 models (fewer in collections above 2,000, so that
 /// a million pairs are measured at most; above 20,000 pooled over all models only). A function of
 /// the collection and its order. No class label is used. Models are known again by their content,
-/// so the statistics serve any subset of the collection in any order.
-CollectionStatistics collection_statistics(DescriptorSpan collection, int jobs = 1);
+/// so the statistics serve any subset of the collection in any order. Errors: cancelled.
+Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, int jobs = 1,
+                                                   const std::stop_token& stop = {});
 
 /// Distances from a query (in the collection or not) to each model of the collection, as long as
 /// `collection`; the same, bit by bit, for every number of jobs. Zero for an equal model. With
 /// `rerank` in [0, 2]: the nearest 200 change places among themselves, the others follow.
 /// A query that the statistics do not know is judged by its distances to at most 500 models of the
 /// collection when that is at least half of what the statistics are of, else by the pooled scale.
-std::vector<double> rank_distances(const descriptor::ModelDescriptor& query,
-                                   DescriptorSpan collection,
-                                   const CollectionStatistics& statistics,
-                                   const RankOptions& options = {});
+/// Errors: cancelled.
+Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& query,
+                                           DescriptorSpan collection,
+                                           const CollectionStatistics& statistics,
+                                           const RankOptions& options = {});
 
 /// All pairs at once, what `evaluate` uses; row i equals rank_distances of model i.
+/// Errors: cancelled.
 /// @pre not `part`
-DistanceMatrix distance_matrix(DescriptorSpan collection, const CollectionStatistics& statistics,
-                               const RankOptions& options = {});
+Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
+                                       const CollectionStatistics& statistics,
+                                       const RankOptions& options = {});
 
 /// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
 /// normalised shares of each descriptor, for `skeleton` those of the tree edit distance, of the
 /// pairs of points and of their layout; the correspondence is that of the tree edit distance.
 /// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
 /// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
-matching::Match explain(const descriptor::ModelDescriptor& query,
-                        const descriptor::ModelDescriptor& other,
-                        const CollectionStatistics& statistics, const RankOptions& options = {});
+/// Errors: cancelled.
+Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
+                                const descriptor::ModelDescriptor& other,
+                                const CollectionStatistics& statistics,
+                                const RankOptions& options = {});
 
 }  // namespace ossuary::ranking

@@ -20,7 +20,7 @@ Checked<Response> compare(Service& service, const Request& request) {
 
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto comparison = service.searcher.compare(*a, *b, options);
+    const auto comparison = service.searcher.compare(*a, *b, options, request.stop);
     if (!comparison) return fail(comparison.error());
     auto json = index::to_json(*comparison, options);
     for (const char* side : {"a", "b"}) {

@@ -23,8 +23,9 @@ Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& r
     const auto snapshot = service.searcher.snapshot();
     if (!snapshot) return fail(snapshot.error());
     const auto evaluation = service.evaluations.get(*snapshot, options, request.stop);
-    if (!evaluation) return fail(evaluation.error());
-    return *evaluation;
+    if (!evaluation) return fail(RequestFault::kOverloaded, "Too many evaluations are waited for.");
+    if (!*evaluation) return fail(evaluation->error());
+    return **evaluation;
 }
 
 nlohmann::json entry(ranking::RankerKind ranker, bool rerank, const Evaluable& collection,

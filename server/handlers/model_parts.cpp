@@ -73,7 +73,7 @@ Checked<Response> model_rig(Service& service, const Request& request) {
     if (!skeleton) return fail(skeleton.error());
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    auto rig = index::model_rig(*mesh, *segments, skeleton->graph, model->name);
+    auto rig = index::model_rig(*mesh, *segments, skeleton->graph, model->name, request.stop);
     if (!rig.ok()) return fail(rig.error());
     return conditional(request.head, answer("model/gltf-binary", *std::move(rig)));
 }

@@ -22,7 +22,8 @@ Checked<Response> similar(Service& service, const Request& request) {
     }
     // The answer says how long it took, so its own bytes make no tag; what it depends on does.
     std::string key = service.instance + ' ' + std::to_string((*snapshot)->state().replacements) +
-                      ' ' + std::to_string((*snapshot)->revision()) + ' ' + request.head.path;
+                      ' ' + std::to_string((*snapshot)->revision()) + ' ' +
+                      std::to_string((*snapshot)->state().statistics) + ' ' + request.head.path;
     for (const Field& field : request.head.parameters) {
         key += '\n' + field.name + '=' + field.value;
     }
@@ -31,7 +32,7 @@ Checked<Response> similar(Service& service, const Request& request) {
 
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto result = service.searcher.similar(*id, options);
+    const auto result = service.searcher.similar(*id, options, request.stop);
     if (!result) return fail(result.error());
     const index::ModelSummary& model = (*snapshot)->models()[*position];
     return conditional(request.head,

@@ -19,12 +19,12 @@ void time_ranking(benchmark::State& state, ranking::RankerKind ranker) {
     for (std::size_t i = 0; i < kCollectionSize; ++i) {
         collection.push_back(&descriptors[i % descriptors.size()]);
     }
-    const ranking::CollectionStatistics statistics = ranking::collection_statistics(collection);
+    const ranking::CollectionStatistics statistics = *ranking::collection_statistics(collection);
     ranking::RankOptions options;
     options.ranker = ranker;
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            ranking::rank_distances(descriptors.front(), collection, statistics, options));
+            *ranking::rank_distances(descriptors.front(), collection, statistics, options));
     }
 }
 

@@ -110,7 +110,7 @@ void run(const std::filesystem::path& collection, const ossuary::ranking::RankOp
     std::vector<const ossuary::descriptor::ModelDescriptor*> pointers;
     for (const ossuary::descriptor::ModelDescriptor& original : originals)
         pointers.push_back(&original);
-    const auto statistics = ossuary::ranking::collection_statistics(pointers, options.jobs);
+    const auto statistics = *ossuary::ranking::collection_statistics(pointers, options.jobs);
     ossuary::ranking::RankOptions one_thread = options;
     one_thread.jobs = 1;
     const std::size_t copies = kCopies * static_cast<std::size_t>(rounds);
@@ -123,7 +123,7 @@ void run(const std::filesystem::path& collection, const ossuary::ranking::RankOp
             Random random(copy);
             ossuary::mesh::TriangleMesh mesh = read(collection / "off", models[original].id);
             change.apply(mesh, random);
-            before[copy] = models_before(ossuary::ranking::rank_distances(
+            before[copy] = models_before(*ossuary::ranking::rank_distances(
                                              describe_mesh(mesh), pointers, statistics, one_thread),
                                          original);
         });

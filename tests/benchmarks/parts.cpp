@@ -155,9 +155,9 @@ void run(const fs::path& collection, const fs::path& index_path) {
             const ossuary::descriptor::ModelDescriptor query =
                 unwrap(ossuary::descriptor::describe(limb)).descriptor;
             const auto as_part =
-                ossuary::ranking::part_distances(query, snapshot->descriptors(), {});
-            const auto as_whole = ossuary::ranking::rank_distances(query, snapshot->descriptors(),
-                                                                   snapshot->statistics());
+                *ossuary::ranking::part_distances(query, snapshot->descriptors(), {});
+            const auto as_whole = *ossuary::ranking::rank_distances(query, snapshot->descriptors(),
+                                                                    snapshot->statistics());
             for (Outcome* outcome : {&outcomes[labels[i]], &all}) {
                 ++outcome->queries;
                 outcome->as_part += found_in_first(as_part, labels, i);

@@ -179,7 +179,7 @@ void run(const fs::path& collection, const std::vector<std::string>& names) {
     std::vector<const ossuary::descriptor::ModelDescriptor*> pointers;
     for (const ossuary::descriptor::ModelDescriptor& model : described) pointers.push_back(&model);
     const ossuary::ranking::CollectionStatistics statistics =
-        ossuary::ranking::collection_statistics(pointers, kJobs);
+        *ossuary::ranking::collection_statistics(pointers, kJobs);
     std::vector<Class> groups;
     for (const std::string& name : names) {
         Class& group = groups.emplace_back();
@@ -209,7 +209,7 @@ void run(const fs::path& collection, const std::vector<std::string>& names) {
             options.ranker = ossuary::ranking::RankerKind::kSkeleton;
             options.pose = pose;
             options.jobs = kJobs;
-            print_weight(local, ossuary::ranking::distance_matrix(members, statistics, options),
+            print_weight(local, *ossuary::ranking::distance_matrix(members, statistics, options),
                          pose);
         }
     }

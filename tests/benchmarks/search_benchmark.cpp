@@ -94,7 +94,7 @@ const Collection& collection_of(std::size_t size) {
     for (const descriptor::ModelDescriptor& model : collection.models)
         collection.pointers.push_back(&model);
     collection.preselection = ranking::Preselection(collection.pointers);
-    collection.statistics = ranking::collection_statistics(collection.pointers);
+    collection.statistics = *ranking::collection_statistics(collection.pointers);
     return collection;
 }
 
@@ -102,13 +102,13 @@ const Collection& collection_of(std::size_t size) {
 double recall(const Collection& collection) {
     std::size_t found = 0, wanted = 0;
     for (const descriptor::ModelDescriptor& query : collection.queries) {
-        const auto quick = ranking::nearest_models(
+        const auto quick = *ranking::nearest_models(
             query, collection.pointers, collection.preselection, collection.statistics, {});
         ranking::NearestOptions exhaustive;
         exhaustive.exhaustive_below = collection.models.size();
         const auto exact =
-            ranking::nearest_models(query, collection.pointers, collection.preselection,
-                                    collection.statistics, {}, exhaustive);
+            *ranking::nearest_models(query, collection.pointers, collection.preselection,
+                                     collection.statistics, {}, exhaustive);
         for (const ranking::RankedModel& model : exact) {
             ++wanted;
             found += std::any_of(
@@ -124,8 +124,8 @@ void time_search(benchmark::State& state, std::size_t size) {
     std::size_t query = 0;
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            ranking::nearest_models(collection.queries[query++ % kQueries], collection.pointers,
-                                    collection.preselection, collection.statistics, {}));
+            *ranking::nearest_models(collection.queries[query++ % kQueries], collection.pointers,
+                                     collection.preselection, collection.statistics, {}));
     }
     state.counters["recall_at_10"] = recall(collection);
 }

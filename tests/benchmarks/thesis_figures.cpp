@@ -124,7 +124,7 @@ void print_curves(const TenClasses& classes, ossuary::skeleton::ThinningMethod t
     const auto described = describe_variants(classes, thinning);
     std::vector<ossuary::ranking::RetrievalReport> reports;
     for (std::size_t v = 0; v < described.size(); ++v) {
-        const ossuary::ranking::DistanceMatrix distances = ossuary::ranking::distance_matrix(
+        const ossuary::ranking::DistanceMatrix distances = *ossuary::ranking::distance_matrix(
             pointers(described[v]), {}, rank_options(ossuary::ranking::RankerKind::kChainCode));
         reports.push_back(ossuary::ranking::evaluate_retrieval(distances, classes.labels));
         const ossuary::ranking::RetrievalMetrics& mean = reports.back().mean;
@@ -186,11 +186,11 @@ void print_poses(const TenClasses& classes) {
     });
     const auto collection = pointers(models);
     const ossuary::ranking::CollectionStatistics statistics =
-        ossuary::ranking::collection_statistics(collection, kJobs);
+        *ossuary::ranking::collection_statistics(collection, kJobs);
     for (const ossuary::ranking::RankerKind ranker :
          {ossuary::ranking::RankerKind::kChainCode, ossuary::ranking::RankerKind::kSkeleton}) {
         const ossuary::ranking::DistanceMatrix distances =
-            ossuary::ranking::distance_matrix(collection, statistics, rank_options(ranker));
+            *ossuary::ranking::distance_matrix(collection, statistics, rank_options(ranker));
         std::vector<double> within, other;
         for (std::size_t i = 0; i < models.size(); ++i) {
             if (classes.labels[i] != "armadillo") continue;

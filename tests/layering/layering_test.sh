@@ -28,7 +28,7 @@ layer() {
 adapters=(
     'OpenMesh/|^engine/mesh/'
     '(sqlite3|SQLiteCpp)[./]|^index/(store|migrate)'
-    'httplib|^server/http'
+    'httplib|^server/http_library\.'
     'embree3/|^(index/thumbnail|engine/descriptor)/'
     'png\.h|^index/thumbnail/'
     'prometheus/|^server/metrics'

@@ -28,7 +28,8 @@ protected:
                                         double model_timeout_seconds = 600.0) {
         server::Jobs::Limits limits;
         limits.model_timeout_seconds = model_timeout_seconds;
-        return std::make_unique<server::Jobs>(open(), limits, log_, metrics_, std::move(describe));
+        return std::make_unique<server::Jobs>(
+            open(), limits, log_, metrics_, [](bool) {}, std::move(describe));
     }
     static index::UploadId add(server::Jobs& jobs, const std::string& name) {
         const auto id = jobs.add({name + " bytes", name, ""});

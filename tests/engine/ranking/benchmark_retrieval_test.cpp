@@ -40,10 +40,10 @@ TEST(BenchmarkRetrieval, FindsTheClassFarMoreOftenThanChance) {
         collection.push_back(&models[i]);
     }
 
-    const CollectionStatistics statistics = collection_statistics(collection, 2);
+    const CollectionStatistics statistics = *collection_statistics(collection, 2);
     const auto report = [&](RankerKind ranker) {
         return evaluate_retrieval(
-            distance_matrix(collection, statistics, {.ranker = ranker, .jobs = 2}), labels);
+            *distance_matrix(collection, statistics, {.ranker = ranker, .jobs = 2}), labels);
     };
     // Chance is 2 in 29, .07.
     const RetrievalReport chain_code = report(RankerKind::kChainCode);

@@ -60,14 +60,14 @@ TEST_F(PreselectionTest, ScansToTheNearestSignatures) {
 TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
     const auto all = collection();
     const Preselection preselection(all);
-    const CollectionStatistics statistics = collection_statistics(all);
+    const CollectionStatistics statistics = *collection_statistics(all);
     const descriptor::ModelDescriptor stranger = test::built_model(3, 99);
     for (const RankerKind ranker : kAllRankers) {
         const RankOptions options{.ranker = ranker};
         for (const descriptor::ModelDescriptor* query : {all[5], &stranger}) {
-            const auto exact = rank_distances(*query, all, statistics, options);
+            const auto exact = *rank_distances(*query, all, statistics, options);
             const auto found =
-                nearest_models(*query, all, preselection, statistics, options, narrow());
+                *nearest_models(*query, all, preselection, statistics, options, narrow());
             ASSERT_EQ(found.size(), 2U);
             for (const RankedModel& model : found) {
                 EXPECT_EQ(model.distance, exact[model.index]) << to_string(ranker);
@@ -82,12 +82,12 @@ TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
 TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
     const auto all = collection();
     const Preselection preselection(all);
-    const CollectionStatistics statistics = collection_statistics(all);
+    const CollectionStatistics statistics = *collection_statistics(all);
     for (const bool rerank : {false, true}) {
         const RankOptions options{.rerank = rerank};
-        const auto distances = rank_distances(*all[9], all, statistics, options);
+        const auto distances = *rank_distances(*all[9], all, statistics, options);
         const auto found =
-            nearest_models(*all[9], all, preselection, statistics, options, {.count = all.size()});
+            *nearest_models(*all[9], all, preselection, statistics, options, {.count = all.size()});
         ASSERT_EQ(found.size(), all.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             EXPECT_EQ(found[i].distance, distances[found[i].index]);
@@ -99,13 +99,14 @@ TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
 TEST_F(PreselectionTest, GivesTheSameForEveryNumberOfJobs) {
     const auto all = collection();
     const Preselection preselection(all);
-    const CollectionStatistics statistics = collection_statistics(all);
+    const CollectionStatistics statistics = *collection_statistics(all);
     for (const bool rerank : {false, true}) {
         RankOptions options{.rerank = rerank};
-        const auto one = nearest_models(*all[17], all, preselection, statistics, options, narrow());
+        const auto one =
+            *nearest_models(*all[17], all, preselection, statistics, options, narrow());
         options.jobs = 3;
         const auto three =
-            nearest_models(*all[17], all, preselection, statistics, options, narrow());
+            *nearest_models(*all[17], all, preselection, statistics, options, narrow());
         EXPECT_EQ(indices(one), indices(three));
         EXPECT_EQ(one.front().index, 17U);
     }
