@@ -38,6 +38,12 @@ struct ClassifyModel {
     ModelId id = 0;
     std::string class_name;
 };
+/// Which way a model stands; no new revision, since nothing that is searched changes.
+struct TurnModel {
+    ModelId id = 0;
+    Orientation orientation;
+    std::optional<std::vector<std::uint8_t>> thumbnail;  ///< PNG; none = as it was
+};
 struct RemoveModel {
     ModelId id = 0;
 };
@@ -48,8 +54,8 @@ struct RecordFailure {  ///< replaces an earlier failure and, if its bytes diffe
 struct ForgetFailure {
     std::string path;
 };
-using Change =
-    std::variant<PutModel, MoveModel, ClassifyModel, RemoveModel, RecordFailure, ForgetFailure>;
+using Change = std::variant<PutModel, MoveModel, ClassifyModel, TurnModel, RemoveModel,
+                            RecordFailure, ForgetFailure>;
 
 /// What is to be done for a file, see Store::claim_work.
 struct Work {
@@ -61,7 +67,8 @@ struct Work {
     };
     Kind kind = Kind::kDescribe;
     std::vector<ModelSummary> models;
-    std::optional<Failure> failure;  ///< the last one of this path, if any
+    std::optional<ModelSummary> earlier;  ///< the model of this path, if its bytes were others
+    std::optional<Failure> failure;       ///< the last one of this path, if any
 };
 
 /// A page of models in the order of their ids.

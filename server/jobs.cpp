@@ -1,5 +1,7 @@
 #include "server/jobs.h"
 
+#include "index/turn_model.h"
+
 namespace ossuary::server {
 
 std::string_view to_string(JobState state) {
@@ -50,6 +52,10 @@ std::optional<Job> Jobs::find(JobId id) const {
 Result<void> Jobs::remove(index::ModelId id) {
     if (auto removed = store_.remove(id); !removed) return removed;
     return index::update_statistics(store_);
+}
+
+Result<index::Orientation> Jobs::turn(index::ModelId id, std::optional<index::Up> up) {
+    return index::turn_model(store_, id, up);
 }
 
 void Jobs::work(std::stop_token stop) {

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::optional<Job> find(JobId id) const;
     /// Errors: model_not_found, those of the store.
     Result<void> remove(index::ModelId id);
+    /// See index::turn_model.
+    Result<index::Orientation> turn(index::ModelId id, std::optional<index::Up> up);
 
 private:
     void work(std::stop_token stop);

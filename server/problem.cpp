@@ -4,6 +4,8 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
+#include "index/json_text.h"
+
 namespace ossuary::server {
 namespace {
 
@@ -106,6 +108,7 @@ const std::vector<ErrorRow>& error_rows() {
         {kIndexParameters, 500, "Index of other parameters"},
         {kModelNotFound, 404, "No such model"},
         {kEvaluationNotFound, 404, "No such evaluation"},
+        {kPruneRefused, 409, "Pruning refused"},
     };
     return rows;
 }
@@ -170,7 +173,7 @@ Response to_response(const Problem& problem, std::string_view instance,
     response.status = problem.row.status;
     response.content_type = "application/problem+json";
     // Bytes of the request that are not UTF-8 are shown as U+FFFD rather than refused again.
-    response.body = document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    response.body = index::json_text(document);
     response.code = problem.row.code;
     response.headers = problem.headers;
     response.set_header("Cache-Control", "no-store");

@@ -54,6 +54,7 @@ enum class ErrorCode {
     kIndexParameters,
     kModelNotFound,
     kEvaluationNotFound,
+    kPruneRefused,
 };
 
 struct ErrorCodeName {
@@ -102,6 +103,7 @@ inline constexpr std::array kErrorCodeNames = {
     ErrorCodeName{ErrorCode::kIndexParameters, "index_parameters"},
     ErrorCodeName{ErrorCode::kModelNotFound, "model_not_found"},
     ErrorCodeName{ErrorCode::kEvaluationNotFound, "evaluation_not_found"},
+    ErrorCodeName{ErrorCode::kPruneRefused, "prune_refused"},
 };
 
 static_assert(
@@ -109,8 +111,7 @@ static_assert(
         for (std::size_t i = 0; i < kErrorCodeNames.size(); ++i) {
             if (static_cast<std::size_t>(kErrorCodeNames[i].code) != i) return false;
         }
-        return kErrorCodeNames.size() ==
-               static_cast<std::size_t>(ErrorCode::kEvaluationNotFound) + 1;
+        return kErrorCodeNames.size() == static_cast<std::size_t>(ErrorCode::kPruneRefused) + 1;
     }(),
     "every error code has its name, in the order of the enumeration");
 

@@ -184,7 +184,7 @@ TEST_F(IndexerTest, KnowsAModelByItsBytesWhenItsFileHasMoved) {
     fs::rename(models_ / "01_tree.off", models_ / "sub" / "oak.off");
     fs::copy_file(models_ / "02_torus.off", models_ / "sub" / "ring.off");
     IndexOptions pruning = options();
-    pruning.prune = true;
+    pruning.prune = Prune::kYes;
     const IndexOutcome outcome = run(store, pruning);
     EXPECT_EQ(outcome.moved, 1U);
     EXPECT_EQ(outcome.indexed, 1U) << "a copy is a model of its own";
@@ -227,7 +227,7 @@ TEST_F(IndexerTest, PrunesWhatIsGoneUnderThePathsAndNothingElse) {
     EXPECT_EQ(run(store).pruned, 0U) << "not asked for";
     EXPECT_EQ(store.models()->total, 6U);
     IndexOptions pruning = options();
-    pruning.prune = true;
+    pruning.prune = Prune::kYes;
     const IndexOutcome outcome = run(store, pruning);
     EXPECT_EQ(outcome.pruned, 1U);
     EXPECT_EQ(store.models()->total, 5U) << "what lies elsewhere may only be out of reach";
@@ -408,12 +408,19 @@ TEST_F(IndexerTest, TakesUploads) {
     EXPECT_EQ(store.model(*id)->name, "mytree");
     EXPECT_EQ(store.model(*id)->class_name, "plant");
     EXPECT_EQ(*index_one(store, {bytes, "again", ""}), *id);
+    const std::string long_name = std::string(199, 'a') + "\xC3\xA9";
+    const auto other = index_one(store, {bytes + "# 2\n", long_name, ""});
+    ASSERT_TRUE(other) << other.error().message;
+    EXPECT_EQ(store.model(*other)->name, std::string(199, 'a')) << "cut before the character";
+    const auto latin = index_one(store, {bytes + "# 3\n", "b\xE4r\x7F", ""});
+    EXPECT_EQ(store.model(*latin)->name, "b\xEF\xBF\xBDr");
+    EXPECT_EQ(store.model(*index_one(store, {bytes + "# 4\n", "\n\t", ""}))->name, "model");
     test::expect_sound(store);
     const auto bad = index_one(store, {"OFF\n3 1 0\n", "bad", ""});
     ASSERT_FALSE(bad);
     EXPECT_EQ(bad.error().code, ErrorCode::kOffTruncated);
     EXPECT_TRUE(store.failures()->empty());
-    EXPECT_EQ(store.models()->total, 1U);
+    EXPECT_EQ(store.models()->total, 4U);
 }
 
 }  // namespace

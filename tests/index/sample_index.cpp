@@ -164,9 +164,9 @@ void write_sample_meshes(const fs::path& folder, int count) {
 std::string index_text(const fs::path& path) {
     SQLite::Database database(path.string(), SQLite::OPEN_READONLY);
     std::string text;
-    for (const std::string table :
-         {"parameters", "state", "models", "signatures", "descriptors", "skeletons", "branches",
-          "previews", "segments", "thumbnails", "failures", "statistics", "evaluations"}) {
+    for (const std::string table : {"parameters", "state", "models", "signatures", "descriptors",
+                                    "skeletons", "branches", "previews", "segments", "thumbnails",
+                                    "orientations", "failures", "statistics", "evaluations"}) {
         text += "== " + table + "\n";
         SQLite::Statement rows(database, "SELECT * FROM " + table + " ORDER BY 1, 2");
         while (rows.executeStep()) {
@@ -221,7 +221,9 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
     const std::size_t branches = model.skeleton.branches.size();
     SQLite::Statement row(
         database,
-        "INSERT INTO models VALUES (1, ?, ?, '', ?, 3, 1, ?, ?, 0, 0, 0, 1, 1, 1, 2.5, '[]', "
+        "INSERT INTO models (id, path, name, class, content_hash, vertices, faces, nodes, "
+        "branches, min_x, min_y, min_z, max_x, max_y, max_z, surface_area, warnings, indexed_at, "
+        "revision) VALUES (1, ?, ?, '', ?, 3, 1, ?, ?, 0, 0, 0, 1, 1, 1, 2.5, '[]', "
         "'2026-01-01T00:00:00Z', 1)");
     row.bind(1, model.summary.path);
     row.bind(2, model.summary.name);
