@@ -180,6 +180,9 @@ UprightEvidence upright_evidence(const mesh::TriangleMesh& mesh, Up up) {
     return {footprint(mesh, bounds, axis), AreaGrid(mesh, bounds).lopsidedness(axis)};
 }
 
+// Of 269 models of the segmentation benchmark and 180 of OpenArena's characters 227 and 153 come to
+// stand upright (186 and 0 if y were always up); by flat area near the ground 155 to 190 and at
+// most 57, by the footprint alone 218 and 108, by lopsidedness alone at most 191 and 158.
 Up find_up(const mesh::TriangleMesh& mesh, Up convention) {
     const Box3 bounds = bounds_of(mesh);
     if (bounds.isEmpty() || !(bounds.sizes().maxCoeff() > 0.0)) return convention;
