@@ -158,8 +158,12 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
                                    const EvaluateOptions& options) {
     const auto selection = select(snapshot, options);
     if (!selection) return selection.error();
-    const EvaluationKey key{snapshot.revision(), options.rank.ranker, options.rank.rerank,
-                            options.rank.pose, collection_hash(snapshot, *selection)};
+    const EvaluationKey key{snapshot.revision(),
+                            options.rank.ranker,
+                            options.rank.rerank,
+                            options.rank.pose,
+                            collection_hash(snapshot, *selection),
+                            snapshot.state().replacements};
     auto cached = store.evaluation(key);
     if (!cached) return cached.error();
     if (*cached) {
@@ -172,7 +176,8 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
     // A reader cannot keep it, and whoever writes for long should not fail a reader.
     const auto kept = store.put_evaluation(key, evaluation.report);
     if (!kept && kept.error().code != ErrorCode::kIndexIo &&
-        kept.error().code != ErrorCode::kIndexBusy) {
+        kept.error().code != ErrorCode::kIndexBusy &&
+        kept.error().code != ErrorCode::kIndexReplaced) {
         return kept.error();
     }
     return evaluation;

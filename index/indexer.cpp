@@ -95,6 +95,11 @@ private:
 FileOutcome IndexRun::process(const fs::path& path) {
     FileOutcome outcome;
     if (stop_.stop_requested()) return outcome;
+    if (store_.owns(path)) {
+        outcome.kind = FileOutcome::Kind::kFailed;
+        outcome.error = {ErrorCode::kFormatUnknown, path.string() + ": is the index itself"};
+        return outcome;
+    }
     auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) {
         outcome.kind = FileOutcome::Kind::kFailed;
@@ -385,22 +390,13 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
     return IndexRun(store, options, sink, std::move(stop)).run();
 }
 
-Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop) {
-    auto model = describe_model({upload.bytes, upload.name}, store.parameters(), stop);
-    if (!model) return model.error();
-    if (stop.stop_requested() && !model->segments) {
-        return {ErrorCode::kCancelled, upload.name + ": adding it was cancelled"};
-    }
+Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
+                                 std::stop_token stop) {
+    auto model = describe_model({upload.bytes, upload.name}, parameters, std::move(stop));
+    if (!model) return model;
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;
-    auto id = store.put(*std::move(model));
-    if (!id) return id.error();
-    const auto state = store.collection_state();
-    if (!state) return state.error();
-    if (state->statistics < 0) {
-        if (const auto updated = update_statistics(store); !updated) return updated.error();
-    }
-    return id;
+    return model;
 }
 
 Result<void> update_statistics(Store& store, int jobs) {
@@ -410,7 +406,7 @@ Result<void> update_statistics(Store& store, int jobs) {
     const auto snapshot = Snapshot::load(store);
     if (!snapshot) return snapshot.error();
     return store.put_statistics(ranking::collection_statistics((*snapshot)->descriptors(), jobs),
-                                (*snapshot)->revision());
+                                (*snapshot)->revision(), (*snapshot)->state().replacements);
 }
 
 }  // namespace ossuary::index

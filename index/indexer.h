@@ -15,6 +15,7 @@
 #include "index/model_files.h"
 #include "index/prune.h"
 #include "index/store.h"
+#include "index/upload.h"
 
 namespace ossuary::index {
 
@@ -94,17 +95,11 @@ struct IndexOutcome {
 Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, ProgressSink& sink,
                                   std::stop_token stop = {});
 
-/// A model that comes as bytes instead of as a file.
-struct UploadedModel {
-    std::string bytes;
-    std::string name;
-    std::string class_name;
-};
-
-/// Adds one model; the same bytes uploaded again give the same id. Statistics are made if there are
-/// none; rankers judge a model that they do not know by its own distances.
-/// Errors: those of read_mesh and describe (nothing is recorded), cancelled, those of the store.
-Result<ModelId> index_one(Store& store, const UploadedModel& upload, std::stop_token stop = {});
+/// All that an index keeps of an uploaded model, for PutUpload.
+/// Errors: those of describe_model; cancelled when `stop` was requested before its skeleton was
+/// there, later the model comes without parts.
+Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
+                                 std::stop_token stop = {});
 
 /// Recomputes the collection's statistics if they are not those of the current revision.
 Result<void> update_statistics(Store& store, int jobs = 1);

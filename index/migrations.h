@@ -18,4 +18,9 @@ struct Migration {
 /// The version of the schema that this program reads and writes.
 [[nodiscard]] inline int schema_version() { return static_cast<int>(migrations().size()); }
 
+/// What came with which version.
+inline constexpr int kFirstVersionWithCollection = 2;  ///< statistics, evaluations
+inline constexpr int kFirstVersionWithSegments = 3;
+inline constexpr int kFirstVersionWithUploads = 4;  ///< and with checksums of rows
+
 }  // namespace ossuary::index

@@ -270,6 +270,8 @@ json to_json(const VerifyReport& report) {
             {"models", report.models},
             {"blobs", report.blobs},
             {"failures", report.failures},
+            {"uploads", report.uploads},
+            {"version", report.version},
             {"revision", report.revision},
             {"findings", std::move(findings)}};
 }

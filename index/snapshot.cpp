@@ -5,9 +5,9 @@
 namespace ossuary::index {
 
 Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snapshot* previous) {
-    auto contents =
-        store.contents(previous != nullptr ? std::span<const KnownModel>(previous->known_)
-                                           : std::span<const KnownModel>());
+    auto contents = previous != nullptr
+                        ? store.contents(previous->known_, previous->state_.replacements)
+                        : store.contents();
     if (!contents) return contents.error();
     std::shared_ptr<Snapshot> snapshot(new Snapshot());
     snapshot->state_ = contents->state;

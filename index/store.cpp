@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "index/migrations.h"
+#include "index/store_file.h"
 #include "index/store_impl.h"
 
 namespace ossuary::index {
@@ -22,27 +23,6 @@ std::string in_words(const IndexParameters& parameters) {
     return "resolution " + std::to_string(parameters.resolution) + ", thinning " +
            std::string(to_string(parameters.thinning)) + ", pipeline version " +
            std::to_string(parameters.pipeline);
-}
-
-Result<std::unique_ptr<Connection>> open_or_create_connection(const fs::path& path,
-                                                              const IndexParameters& parameters) {
-    auto kind = inspect_file(path);
-    if (!kind) return kind.error();
-    if (*kind == FileKind::kIndex) {
-        auto connection = open_connection(path, Access::kReadWrite);
-        if (connection || connection.error().code != ErrorCode::kIndexForeign) return connection;
-        // Opening undid a creation that was cut short, if that was all there was.
-        const Error error = connection.error();
-        kind = inspect_file(path);
-        if (!kind || *kind != FileKind::kEmpty) return error;
-    }
-    const fs::path folder = fs::absolute(path).parent_path();
-    std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) {
-        return {ErrorCode::kIndexIo,
-                path.string() + ": cannot be made, there is no folder " + folder.string()};
-    }
-    return create_connection(path, parameters);
 }
 
 }  // namespace
@@ -92,7 +72,7 @@ Result<CollectionState> read_state(Store::Impl& impl) {
         impl.statement("SELECT revision, coalesce((SELECT revision FROM statistics WHERE id = 1), "
                        "-1) FROM state WHERE id = 1"));
     if (!query.step()) return {ErrorCode::kIndexCorrupt, impl.path.string() + ": no revision"};
-    return CollectionState{query.integer(0), query.integer(1)};
+    return CollectionState{query.integer(0), query.integer(1), impl.file->replacements()};
 }
 
 Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -100,22 +80,60 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
+Store::Impl::Impl(const fs::path& index, Access how)
+    : path(index), access(how), file(IndexFile::at(index)) {}
+
+Store::Impl::~Impl() {
+    const std::unique_lock alone(file->gate());
+    file->close(connection);
+}
+
+Result<void> Store::Impl::open() {
+    const std::unique_lock alone(file->gate());
+    file->let_go_of_replaced();
+    if (connection) return {};
+    const bool again = version > 0;
+    if (again && !follows) {
+        return {ErrorCode::kIndexReplaced,
+                path.string() + ": was removed or replaced by another file while it was open"};
+    }
+    if (auto opened = file->open(connection, access); !opened) return opened;
+    const auto found = read_parameters(*connection, path);
+    if (!found || (again && *found != parameters)) {
+        file->close(connection);
+        if (!found) return found.error();
+        return {ErrorCode::kIndexReplaced, path.string() + ": was replaced by an index of " +
+                                               in_words(*found) + ", the one before had " +
+                                               in_words(parameters) + "; start anew to use it"};
+    }
+    connection->set_busy_timeout(busy_timeout_ms);
+    if (!again) {
+        parameters = *found;
+        version = static_cast<int>(connection->integer("PRAGMA user_version"));
+    }
+    return {};
+}
+
+Result<void> Store::Impl::commit(SQLite::Transaction& transaction) {
+    transaction.commit();
+    if (file->stands()) return {};
+    return was_replaced();
+}
+
 Result<Store> Store::open(const fs::path& path, Access access) {
-    auto impl = std::make_unique<Impl>();
-    impl->path = path;
-    auto connection = open_connection(path, access);
-    if (!connection) return connection.error();
-    impl->connection = *std::move(connection);
-    const auto parameters = guarded(path, [&] { return read_parameters(*impl->connection, path); });
-    if (!parameters) return parameters.error();
-    impl->parameters = *parameters;
+    auto impl = std::make_unique<Impl>(path, access);
+    if (const auto opened = impl->locked([]() -> Result<void> { return {}; }); !opened) {
+        return opened.error();
+    }
     return Store(std::move(impl));
 }
 
 Result<Store> Store::create_or_open(const fs::path& path, const IndexParameters& parameters) {
     {
-        const auto connection = open_or_create_connection(path, parameters);
-        if (!connection) return connection.error();
+        const auto file = IndexFile::at(path);
+        const std::unique_lock alone(file->gate());
+        file->let_go_of_replaced();
+        if (const auto made = make_index(path, parameters); !made) return made.error();
     }
     auto store = open(path, Access::kReadWrite);
     if (!store) return store;
@@ -130,9 +148,19 @@ Result<Store> Store::create_or_open(const fs::path& path, const IndexParameters&
 
 const fs::path& Store::path() const { return impl_->path; }
 
+bool Store::owns(const fs::path& file) const {
+    for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
+        std::error_code none_there;
+        if (fs::equivalent(impl_->path.string() + ending, file, none_there)) return true;
+    }
+    return false;
+}
+
 const IndexParameters& Store::parameters() const { return impl_->parameters; }
 
-int Store::version() const { return schema_version(); }
+int Store::version() const { return impl_->version; }
+
+void Store::follow_replacements() { impl_->follows = true; }
 
 Result<Revision> Store::revision() {
     const auto state = collection_state();
@@ -146,14 +174,15 @@ Result<CollectionState> Store::collection_state() {
 
 Result<void> Store::set_busy_timeout(int milliseconds) {
     return impl_->locked([&]() -> Result<void> {
-        impl_->database().setBusyTimeout(milliseconds);
+        impl_->busy_timeout_ms = milliseconds;
+        impl_->connection->set_busy_timeout(milliseconds);
         return {};
     });
 }
 
 Result<void> Store::checkpoint() {
     return impl_->locked([&]() -> Result<void> {
-        impl_->database().exec("PRAGMA wal_checkpoint(TRUNCATE)");
+        impl_->connection->fold_log(0);
         return {};
     });
 }

@@ -17,10 +17,16 @@
 #include "engine/ranking/ranker.h"
 #include "engine/ranking/retrieval_metrics.h"
 #include "index/model.h"
+#include "index/upload.h"
 
 namespace ossuary::index {
 
-enum class Access { kReadOnly, kReadWrite };
+enum class Access {
+    kReadOnly,
+    kReadWrite,
+    kInspect,  ///< the file and its log as they stand: an older index stays at its version, and may
+               ///< only be asked for parameters, version and `verify`
+};
 
 /// Counts every committed change of an index's models, from 0; what readers follow.
 using Revision = std::int64_t;
@@ -54,8 +60,16 @@ struct RecordFailure {  ///< replaces an earlier failure and, if its bytes diffe
 struct ForgetFailure {
     std::string path;
 };
+struct PutUpload {  ///< adds the model of an upload, which is then done
+    UploadClaim upload;
+    NewModel model;
+};
+struct FailUpload {  ///< the upload has failed for good
+    UploadClaim upload;
+    Error error;
+};
 using Change = std::variant<PutModel, MoveModel, ClassifyModel, TurnModel, RemoveModel,
-                            RecordFailure, ForgetFailure>;
+                            RecordFailure, ForgetFailure, PutUpload, FailUpload>;
 
 /// What is to be done for a file, see Store::claim_work.
 struct Work {
@@ -108,6 +122,9 @@ struct StoredStatistics {
 struct CollectionState {
     Revision models = 0;
     Revision statistics = -1;  ///< at which statistics were last made; -1 = never
+    /// How often another file has taken the index's place since this program opened it: revisions
+    /// compare within one file only.
+    std::uint64_t replacements = 0;
     bool operator==(const CollectionState&) const = default;
 };
 struct StoreContents {
@@ -128,7 +145,8 @@ struct EvaluationKey {
     ranking::RankerKind ranker = ranking::RankerKind::kHybrid;
     bool rerank = false;
     double pose = 0.0;
-    std::string collection_hash;  ///< of the evaluated ids and their classes, 32 hex digits
+    std::string collection_hash;     ///< of the evaluated ids and their classes, 32 hex digits
+    std::uint64_t replacements = 0;  ///< see CollectionState; none is kept for a file that is gone
 };
 struct StoredEvaluation {
     EvaluationKey key;
@@ -145,6 +163,8 @@ struct VerifyReport {
     std::size_t models = 0;
     std::size_t blobs = 0;  ///< decoded
     std::size_t failures = 0;
+    std::size_t uploads = 0;  ///< finished ones too
+    int version = 0;          ///< of the schema
     Revision revision = 0;
     std::vector<Finding> findings;  ///< empty for a sound index
 };
@@ -159,11 +179,11 @@ struct VerifyReport {
 ///
 /// Errors of every call: index_busy when another process holds the write lock for too long,
 /// index_io for a full disk and the like, index_corrupt for damaged contents, model_not_found for
-/// an id that is not there.
+/// an id that is not there, index_replaced when another file has taken the index's place.
 class Store {
 public:
     /// Opens an index. Nothing is ever written to a file that is not an index. An index of an
-    /// older version is first migrated, in one transaction a version.
+    /// older version is first migrated, in one transaction a version, unless only to be inspected.
     /// Errors: index_not_found, index_foreign (not an index), index_newer, index_io …
     static Result<Store> open(const std::filesystem::path& path, Access access);
     /// The same for writing; makes the index if there is no file, or an empty one.
@@ -175,9 +195,17 @@ public:
     ~Store();
 
     [[nodiscard]] const std::filesystem::path& path() const;
+    /// Whether `file` is the index itself or one that SQLite keeps beside it, by whatever name.
+    /// Such a file must not be opened by anything but the store while the index is open: closing it
+    /// would take the store's locks away.
+    [[nodiscard]] bool owns(const std::filesystem::path& file) const;
     [[nodiscard]] const IndexParameters& parameters() const;
     /// The schema's version, after any migration.
     [[nodiscard]] int version() const;
+    /// From now on, when another file takes the place of the index, calls are answered from that
+    /// one, if it has the same parameters; otherwise they give index_replaced from then on.
+    /// Nothing is written to a file that has lost its place, nor acknowledged if it was.
+    void follow_replacements();
     Result<Revision> revision();
     /// Cheap: what a reader asks to learn whether it is up to date.
     Result<CollectionState> collection_state();
@@ -188,6 +216,22 @@ public:
     Result<std::vector<ModelId>> apply(std::span<const Change> changes);
     Result<ModelId> put(NewModel model);
     Result<void> remove(ModelId id);
+
+    // Uploads wait in the index until a program has described them.
+
+    /// Accepts an upload; none when too many wait. Once this returns it is on the disk, whatever
+    /// becomes of the program or the machine.
+    Result<std::optional<UploadId>> add_upload(const UploadedModel& upload,
+                                               const UploadLimits& limits);
+    /// The longest waiting upload, which is then the claimant's (see process_mark) until it is
+    /// finished by a PutUpload or FailUpload, or released, or the claimant's process ends. Asked
+    /// again, a claimant gets the one that it has. None when nothing waits.
+    Result<std::optional<ClaimedUpload>> claim_upload(std::string_view claimant);
+    /// Back to its place in the queue, as if it had not been claimed.
+    Result<void> release_upload(const UploadClaim& claim);
+    /// None for a number that was never given, or is not remembered any more.
+    Result<std::optional<UploadRecord>> upload(UploadId id);
+    Result<UploadQueue> upload_queue();
 
     // Work for the indexer. The claim is not exclusive: should two processes describe the same
     // file, the second finds it done when it comes to write.
@@ -201,8 +245,10 @@ public:
     /// Models by name (exact), in the order of their ids.
     Result<std::vector<ModelSummary>> models_named(std::string_view name);
     /// The whole collection as of one revision; models that are at the same revision in `known`
-    /// (ascending ids) come without summary and descriptor.
-    Result<StoreContents> contents(std::span<const KnownModel> known = {});
+    /// (ascending ids) come without summary and descriptor. What is known of an earlier file counts
+    /// for nothing.
+    Result<StoreContents> contents(std::span<const KnownModel> known = {},
+                                   std::uint64_t replacements = 0);
     /// Descriptors of `ids`, in their order; ids that are gone are left out.
     Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids);
     /// All signatures in the order of ids: small enough to keep where descriptors are not.
@@ -217,7 +263,9 @@ public:
     // What is computed over the whole collection.
 
     Result<std::optional<StoredStatistics>> statistics();
-    Result<void> put_statistics(const ranking::CollectionStatistics& statistics, Revision revision);
+    /// With `replacements`, only into the file that they were made from.
+    Result<void> put_statistics(const ranking::CollectionStatistics& statistics, Revision revision,
+                                std::optional<std::uint64_t> replacements = {});
     Result<std::optional<StoredEvaluation>> evaluation(const EvaluationKey& key);
     /// Those of the current revision, newest first.
     Result<std::vector<StoredEvaluation>> evaluations();
@@ -228,7 +276,8 @@ public:
     Result<VerifyReport> verify();
     /// How long a write waits for another process's; ten seconds unless set.
     Result<void> set_busy_timeout(int milliseconds);
-    /// Writes the log back into the file, so that the file alone is the whole index.
+    /// Writes the log back into the file, so that the file alone is the whole index; as far as
+    /// other programs let it, and without waiting for them.
     Result<void> checkpoint();
 
     struct Impl;  ///< the store's own

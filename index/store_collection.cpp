@@ -17,20 +17,28 @@ Result<std::optional<StoredStatistics>> Store::statistics() {
 }
 
 Result<void> Store::put_statistics(const ranking::CollectionStatistics& statistics,
-                                   Revision revision) {
+                                   Revision revision, std::optional<std::uint64_t> replacements) {
     return impl_->locked([&]() -> Result<void> {
+        if (replacements.value_or(impl_->file->replacements()) != impl_->file->replacements()) {
+            return impl_->was_replaced();
+        }
+        SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         const std::string blob = encode_statistics(statistics);
         Query query(impl_->statement(
             "INSERT INTO statistics (id, revision, statistics) VALUES (1, ?, ?) "
             "ON CONFLICT (id) DO UPDATE SET revision = excluded.revision, "
             "statistics = excluded.statistics WHERE excluded.revision >= revision"));
         query.bind(revision, BlobView{blob}).run();
-        return {};
+        impl_->seal("statistics", "id = ?", 1);
+        return impl_->commit(transaction);
     });
 }
 
 Result<std::optional<StoredEvaluation>> Store::evaluation(const EvaluationKey& key) {
     return impl_->locked([&]() -> Result<std::optional<StoredEvaluation>> {
+        if (key.replacements != impl_->file->replacements()) {
+            return std::optional<StoredEvaluation>();
+        }
         Query query(impl_->statement(
             "SELECT report, computed_at FROM evaluations WHERE revision = ? AND ranker = ? "
             "AND rerank = ? AND pose = ? AND collection_hash = ?"));
@@ -55,10 +63,10 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
             if (!ranker) return Error{ErrorCode::kIndexCorrupt, ranker.error().message};
             auto report = decode_report(query.blob(5));
             if (!report) return report.error();
-            evaluations.push_back(
-                {{query.integer(0), *ranker, query.integer(2) != 0, query.real(3), query.text(4)},
-                 *std::move(report),
-                 query.text(6)});
+            evaluations.push_back({{query.integer(0), *ranker, query.integer(2) != 0, query.real(3),
+                                    query.text(4), impl_->file->replacements()},
+                                   *std::move(report),
+                                   query.text(6)});
         }
         return evaluations;
     });
@@ -67,6 +75,7 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
 Result<void> Store::put_evaluation(const EvaluationKey& key,
                                    const ranking::RetrievalReport& report) {
     return impl_->locked([&]() -> Result<void> {
+        if (key.replacements != impl_->file->replacements()) return impl_->was_replaced();
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         Query(impl_->statement("DELETE FROM evaluations WHERE revision < "
                                "(SELECT revision FROM state)"))
@@ -76,13 +85,13 @@ Result<void> Store::put_evaluation(const EvaluationKey& key,
             "INSERT INTO evaluations (revision, ranker, rerank, pose, collection_hash, "
             "computed_at, report) VALUES (?, ?, ?, ?, ?, ?, ?) "
             "ON CONFLICT DO UPDATE SET computed_at = excluded.computed_at, "
-            "report = excluded.report"));
+            "report = excluded.report, checksum = NULL"));
         insert
             .bind(key.revision, to_string(key.ranker), key.rerank ? 1 : 0, key.pose,
                   key.collection_hash, utc_now(), BlobView{blob})
             .run();
-        transaction.commit();
-        return {};
+        impl_->seal("evaluations", "checksum IS NULL AND revision = ?", key.revision);
+        return impl_->commit(transaction);
     });
 }
 

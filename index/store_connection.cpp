@@ -3,9 +3,12 @@
 #include <sqlite3.h>
 
 #include <array>
-#include <fstream>
+#include <chrono>
+#include <thread>
 
 #include "index/migrations.h"
+#include "index/store_checksum.h"
+#include "index/store_file.h"
 
 namespace ossuary::index {
 
@@ -13,54 +16,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kBusyTimeoutMs = 10'000;
+/// How long the file of another program's log is waited for, and how often it is looked at.
+constexpr std::chrono::milliseconds kLogTimeout(kBusyTimeoutMs);
+constexpr std::chrono::milliseconds kLogInterval(50);
 
-std::uint32_t big_endian_32(const char* bytes) {
-    std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-}
-
-Error foreign(const fs::path& path, std::string_view found) {
-    return {ErrorCode::kIndexForeign,
-            path.string() + ": not an Ossuary index (" + std::string(found) + ")"};
-}
-
-Error newer(const fs::path& path, std::int64_t version) {
-    return {ErrorCode::kIndexNewer,
-            path.string() + ": index of version " + std::to_string(version) +
-                ", this program knows versions up to " + std::to_string(schema_version()) +
-                "; use the program that made it, or a later one"};
-}
-
-/// Percent-encodes what an SQLite file: URI would take for its own.
-std::string file_uri(const fs::path& path, std::string_view query) {
-    std::string uri = "file:";
-    for (const char c : fs::absolute(path).string()) {
-        if (c == '%' || c == '?' || c == '#') {
-            constexpr std::string_view kDigits = "0123456789ABCDEF";
-            uri += '%';
-            uri += kDigits[static_cast<unsigned char>(c) >> 4];
-            uri += kDigits[static_cast<unsigned char>(c) & 15U];
-        } else {
-            uri += c;
-        }
-    }
-    return uri + std::string(query);
-}
-
-/// True when nothing waits in the write-ahead log, so that the file alone is the index.
-bool log_is_empty(const fs::path& path) {
-    std::error_code error;
-    const auto size = fs::file_size(path.string() + "-wal", error);
-    return error || size == 0;
-}
-
-/// A reader's connection. On a medium where SQLite cannot keep its -shm file an index is still
-/// readable if its log is empty, because then nobody can be writing it.
+/// A reader's connection. It may write as far as the system is concerned, though nothing ever does:
+/// only such a connection can take away the -wal and -shm that it has made, or fold in what another
+/// program left, should it be the last to close. On a medium where SQLite cannot keep its -shm file
+/// an index is still readable if its log is empty, because then nobody can be writing it.
 std::unique_ptr<Connection> open_reader(const fs::path& path) {
     try {
-        auto connection = std::make_unique<Connection>(path, SQLite::OPEN_READONLY);
+        auto connection = std::make_unique<Connection>(path, SQLite::OPEN_READWRITE);
+        connection->database().exec("PRAGMA query_only = ON");
         connection->integer("PRAGMA user_version");
         return connection;
     } catch (const SQLite::Exception& exception) {
@@ -81,6 +48,9 @@ void migrate(Connection& connection) {
         // Another process may have been first.
         if (connection.integer("PRAGMA user_version") >= migration.version) continue;
         connection.database().exec(std::string(migration.sql));
+        if (migration.version == kFirstVersionWithUploads) {
+            seal_unsealed_rows(connection.database());
+        }
         connection.database().exec("PRAGMA user_version = " + std::to_string(migration.version));
         transaction.commit();
     }
@@ -111,6 +81,7 @@ void initialize(Connection& connection, const IndexParameters& parameters) {
         insert.exec();
         insert.reset();
     }
+    seal_unsealed_rows(database);
     transaction.commit();
 }
 
@@ -146,32 +117,6 @@ Error store_error(const fs::path& path, const SQLite::Exception& exception) {
     }
 }
 
-Result<FileKind> inspect_file(const fs::path& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return FileKind::kMissing;
-    if (error) return {ErrorCode::kIndexIo, path.string() + ": " + error.message()};
-    if (status.type() != fs::file_type::regular) return foreign(path, "not a regular file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {ErrorCode::kIndexIo, path.string() + ": cannot be opened for reading"};
-    std::array<char, 100> header{};
-    file.read(header.data(), header.size());
-    if (file.bad()) return {ErrorCode::kIndexIo, path.string() + ": cannot be read"};
-    if (file.gcount() == 0) return FileKind::kEmpty;
-    constexpr std::string_view kMagic("SQLite format 3\0", 16);
-    if (file.gcount() != static_cast<std::streamsize>(header.size()) ||
-        std::string_view(header.data(), kMagic.size()) != kMagic) {
-        return foreign(path, "its first bytes are those of another format");
-    }
-    // SQLite's file format, sec. 1.3: user version at 60, application id at 68.
-    if (big_endian_32(&header[68]) != static_cast<std::uint32_t>(kApplicationId)) {
-        return foreign(path, "an SQLite database of another program");
-    }
-    const std::uint32_t version = big_endian_32(&header[60]);
-    if (version > static_cast<std::uint32_t>(schema_version())) return newer(path, version);
-    return FileKind::kIndex;
-}
-
 Connection::Connection(const fs::path& path, int flags)
     : database_(path.string(), flags, kBusyTimeoutMs) {
     // An index may come from elsewhere: no code from its schema, and no trust in its pages.
@@ -180,6 +125,7 @@ Connection::Connection(const fs::path& path, int flags)
     database_.exec("PRAGMA foreign_keys = ON");
     // In WAL mode a crash of the machine may lose the last transactions but never damages.
     database_.exec("PRAGMA synchronous = NORMAL");
+    add_checksum_function(database_);
 }
 
 SQLite::Statement& Connection::statement(const std::string& sql) {
@@ -195,30 +141,67 @@ std::int64_t Connection::integer(const std::string& sql) {
     return statement.executeStep() ? statement.getColumn(0).getInt64() : 0;
 }
 
-Result<std::unique_ptr<Connection>> open_connection(const fs::path& path, Access access) {
+void Connection::set_busy_timeout(int milliseconds) {
+    database_.setBusyTimeout(milliseconds);
+    busy_timeout_ms_ = milliseconds;
+}
+
+bool Connection::fold_log(int timeout_ms) {
+    sqlite3* handle = database_.getHandle();
+    sqlite3_busy_timeout(handle, timeout_ms);
+    const int outcome =
+        sqlite3_wal_checkpoint_v2(handle, nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+    sqlite3_busy_timeout(handle, busy_timeout_ms_);
+    return outcome == SQLITE_OK;
+}
+
+void Connection::keep_log(bool keep) {
+    sqlite3_db_config(database_.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, keep ? 1 : 0,
+                      nullptr);
+}
+
+bool Connection::has_moved() {
+    int moved = 0;
+    sqlite3_file_control(database_.getHandle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    return moved != 0;
+}
+
+namespace {
+
+/// Opens once. Errors: also index_replaced when the log beside it serves another file.
+Result<std::unique_ptr<Connection>> open_once(const fs::path& path, Access access) {
     using Opened = Result<std::unique_ptr<Connection>>;
     const auto kind = inspect_file(path);
     if (!kind) return kind.error();
     if (*kind == FileKind::kMissing) {
         return {ErrorCode::kIndexNotFound, path.string() + ": no such index"};
     }
-    if (*kind == FileKind::kEmpty) return foreign(path, "the file is empty");
+    if (*kind == FileKind::kEmpty) return foreign_index(path, "the file is empty");
+    const bool keeps_log = access == Access::kInspect && !log_is_empty(path);
+    const bool log_in_use = log_is_in_use(path);
     return guarded(path, [&]() -> Opened {
-        auto connection = access == Access::kReadOnly
-                              ? open_reader(path)
-                              : std::make_unique<Connection>(path, SQLite::OPEN_READWRITE);
+        auto connection = access == Access::kReadWrite
+                              ? std::make_unique<Connection>(path, SQLite::OPEN_READWRITE)
+                              : open_reader(path);
+        connection->keep_log(keeps_log || log_in_use);  // until it is known whose it is
         const std::int64_t version = connection->integer("PRAGMA user_version");
-        if (version > schema_version()) return newer(path, version);
-        if (version <= 0) return foreign(path, "it has no schema");
+        if (version > schema_version()) return newer_index(path, version);
+        if (version <= 0) return foreign_index(path, "it has no schema");
+        // Kept by the file, so that this changes it once only.
         if (access == Access::kReadWrite) {
-            migrate(*connection);
-            // Kept by the file, so that this changes it once only.
             connection->database().exec("PRAGMA journal_mode = WAL");
-            return connection;
         }
-        if (version == schema_version()) return connection;
+        if (log_in_use && log_serves_another_file(path)) {
+            return {ErrorCode::kIndexReplaced,
+                    path.string() +
+                        ": a running program still uses the log of the file that was "
+                        "here before"};
+        }
+        connection->keep_log(keeps_log);
+        if (access == Access::kReadWrite) migrate(*connection);
+        if (access != Access::kReadOnly || version == schema_version()) return connection;
         connection.reset();
-        auto writer = open_connection(path, Access::kReadWrite);
+        auto writer = open_once(path, Access::kReadWrite);
         if (!writer) {
             return {writer.error().code,
                     "index of version " + std::to_string(version) +
@@ -228,13 +211,58 @@ Result<std::unique_ptr<Connection>> open_connection(const fs::path& path, Access
     });
 }
 
-Result<std::unique_ptr<Connection>> create_connection(const fs::path& path,
-                                                      const IndexParameters& parameters) {
-    return guarded(path, [&]() -> Result<std::unique_ptr<Connection>> {
+/// Calls `attempt` again while the log is another file's, whose user has to let go of it first.
+template <typename Attempt>
+std::invoke_result_t<Attempt> once_log_is_free(Attempt&& attempt) {
+    const auto deadline = std::chrono::steady_clock::now() + kLogTimeout;
+    for (;;) {
+        auto outcome = attempt();
+        if (outcome || outcome.error().code != ErrorCode::kIndexReplaced ||
+            std::chrono::steady_clock::now() > deadline) {
+            return outcome;
+        }
+        std::this_thread::sleep_for(kLogInterval);
+    }
+}
+
+Result<void> make_once(const fs::path& path, const IndexParameters& parameters) {
+    const auto kind = inspect_file(path);
+    if (!kind) return kind.error();
+    if (*kind == FileKind::kIndex) {
+        const auto connection = open_once(path, Access::kReadWrite);
+        if (connection) return {};
+        if (connection.error().code != ErrorCode::kIndexForeign) return connection.error();
+        // Opening undid a creation that was cut short, if that was all there was.
+        const auto now = inspect_file(path);
+        if (!now || *now != FileKind::kEmpty) return connection.error();
+    }
+    const fs::path folder = fs::absolute(path).parent_path();
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        return {ErrorCode::kIndexIo,
+                path.string() + ": cannot be made, there is no folder " + folder.string()};
+    }
+    if (log_is_in_use(path)) {
+        return {ErrorCode::kIndexReplaced,
+                path.string() +
+                    ": a running program still uses the log of the file that was here "
+                    "before"};
+    }
+    return guarded(path, [&]() -> Result<void> {
         Connection creator(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
         initialize(creator, parameters);
-        return open_connection(path, Access::kReadWrite);
+        return {};
     });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Connection>> open_connection(const fs::path& path, Access access) {
+    return once_log_is_free([&] { return open_once(path, access); });
+}
+
+Result<void> make_index(const fs::path& path, const IndexParameters& parameters) {
+    return once_log_is_free([&] { return make_once(path, parameters); });
 }
 
 }  // namespace ossuary::index

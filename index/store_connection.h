@@ -97,11 +97,8 @@ private:
     SQLite::Statement& statement_;
 };
 
-/// What stands at a path, told from its first hundred bytes without opening it as a database.
-enum class FileKind { kMissing, kEmpty, kIndex };
-
-/// Errors: index_foreign for anything else, index_newer, index_io when it cannot be read.
-Result<FileKind> inspect_file(const std::filesystem::path& path);
+/// How long a write waits for another process's unless a store is told otherwise.
+inline constexpr int kBusyTimeoutMs = 10'000;
 
 /// An open database with its prepared statements. Throws SQLite::Exception; see `guarded`.
 class Connection {
@@ -114,17 +111,27 @@ public:
     /// The single integer that `sql` gives.
     std::int64_t integer(const std::string& sql);
 
+    void set_busy_timeout(int milliseconds);
+    /// Writes the log back into the file and empties it, waiting for readers no longer than that;
+    /// whether it could. Throws nothing.
+    bool fold_log(int timeout_ms);
+    /// Whether closing leaves the log as it is, even when nobody else has the file open.
+    void keep_log(bool keep);
+    /// Whether the file has another name by now, or none.
+    bool has_moved();
+
 private:
     SQLite::Database database_;
+    int busy_timeout_ms_ = kBusyTimeoutMs;
     std::map<std::string, std::unique_ptr<SQLite::Statement>, std::less<>> statements_;
 };
 
-/// Opens an existing index; migrates it if it is older. Errors as Store::open.
+/// Opens an existing index; migrates it if it is older, unless only to inspect it. Waits for a
+/// program that uses the log for a file that was here before. Errors as Store::open.
 Result<std::unique_ptr<Connection>> open_connection(const std::filesystem::path& path,
                                                     Access access);
 
-/// Makes an index, or opens the one that another process has just made.
-Result<std::unique_ptr<Connection>> create_connection(const std::filesystem::path& path,
-                                                      const IndexParameters& parameters);
+/// Makes an index unless there is one.
+Result<void> make_index(const std::filesystem::path& path, const IndexParameters& parameters);
 
 }  // namespace ossuary::index

@@ -2,30 +2,66 @@
 
 #include <memory>
 #include <mutex>
+#include <shared_mutex>
 #include <string>
 
 #include "index/store.h"
+#include "index/store_checksum.h"
 #include "index/store_connection.h"
+#include "index/store_index_file.h"
 
 // Private to the store.
 
 namespace ossuary::index {
 
 struct Store::Impl {
-    std::filesystem::path path;
+    Impl(const std::filesystem::path& path, Access access);
+    ~Impl();
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+
+    const std::filesystem::path path;
+    const Access access;
     IndexParameters parameters;
-    std::unique_ptr<Connection> connection;
+    int version = 0;
+    bool follows = false;  ///< opens the file that takes the place of the one it had
+    int busy_timeout_ms = kBusyTimeoutMs;
+    const std::shared_ptr<IndexFile> file;
+    std::unique_ptr<Connection> connection;  ///< guarded by the file's gate
     std::mutex mutex;
 
-    /// Runs `body` alone, and so that no exception leaves it.
+    /// Runs `body` alone, with the file open that stands at the path, and so that no exception
+    /// leaves it.
     template <typename Body>
     std::invoke_result_t<Body> locked(Body&& body) {
         const std::lock_guard lock(mutex);
-        return guarded(path, std::forward<Body>(body));
+        return guarded(path, [&]() -> std::invoke_result_t<Body> {
+            for (;;) {
+                {
+                    const std::shared_lock in_use(file->gate());
+                    if (connection && file->stands()) return body();
+                }
+                if (const auto opened = open(); !opened) return opened.error();
+            }
+        });
     }
+    /// Commits, and makes sure that what was written is in the file that stands at the path:
+    /// nothing is acknowledged that went into one which had just been replaced.
+    Result<void> commit(SQLite::Transaction& transaction);
+
     SQLite::Statement& statement(const std::string& sql) { return connection->statement(sql); }
     SQLite::Database& database() { return connection->database(); }
 
+    /// The checksums of the rows of `table` that fit `where`, due after each change.
+    template <typename Value>
+    void seal(std::string_view table, std::string_view where, const Value& value) {
+        Query(statement(seal_rows(table, where))).bind(value).run();
+    }
+
+    Error was_replaced() const {
+        return {ErrorCode::kIndexReplaced,
+                path.string() + ": was removed or replaced while it was being worked on"};
+    }
     Error no_model(ModelId id) const {
         return {ErrorCode::kModelNotFound,
                 path.string() + ": no model with id " + std::to_string(id)};
@@ -34,6 +70,10 @@ struct Store::Impl {
     Error damaged(ModelId id, const Error& error) const {
         return {error.code, path.string() + ": model " + std::to_string(id) + ": " + error.message};
     }
+
+private:
+    /// Opens the file that stands at the path, unless it is open. Errors: also index_replaced.
+    Result<void> open();
 };
 
 /// The columns that `summary_from` reads, in its order.
@@ -63,6 +103,16 @@ Result<descriptor::ModelDescriptor> descriptor_from(std::string_view skeleton,
 
 /// The revisions that a reader follows. Errors: index_corrupt.
 Result<CollectionState> read_state(Store::Impl& impl);
+
+/// How an upload came to its end: as a model, or in an error.
+struct UploadOutcome {
+    ModelId model = 0;
+    std::optional<Error> error;
+};
+/// Records the end of an upload, as part of a transaction, and forgets its bytes and the oldest of
+/// the finished ones. Errors: index_replaced when it is not, or not any more, the claimant's.
+Result<void> finish_upload(Store::Impl& impl, const UploadClaim& claim,
+                           const UploadOutcome& outcome);
 
 /// The parameters that are stored in the index. Errors: index_corrupt.
 Result<IndexParameters> read_parameters(Connection& connection, const std::filesystem::path& path);

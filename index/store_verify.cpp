@@ -6,7 +6,9 @@
 #include "index/blob.h"
 #include "index/codec.h"
 #include "index/content_hash.h"
+#include "index/migrations.h"
 #include "index/store_impl.h"
+#include "index/store_verify_rows.h"
 
 namespace ossuary::index {
 
@@ -25,12 +27,18 @@ public:
 
     VerifyReport run() {
         SQLite::Transaction transaction(impl_.database());
+        report_.version = impl_.version;
         check_database();
         check_parameters();
         check_state();
         check_models();
         check_failures();
-        check_collection();
+        if (impl_.version >= kFirstVersionWithCollection) check_collection();
+        verify_schema(impl_, report_);
+        if (impl_.version >= kFirstVersionWithUploads) {
+            verify_checksums(impl_, report_);
+            verify_uploads(impl_, report_);
+        }
         return std::move(report_);
     }
 
@@ -186,6 +194,7 @@ private:
         }
     }
     void check_segments(const std::string& subject, const ModelSummary& summary) {
+        if (impl_.version < kFirstVersionWithSegments) return;
         Query row(impl_.statement("SELECT segments FROM segments WHERE model = ?"));
         if (!row.bind(summary.id).step()) {
             const bool may_be_missing =

@@ -66,8 +66,10 @@ public:
     Result<ModelId> operator()(const RemoveModel& change);
     Result<ModelId> operator()(const RecordFailure& change);
     Result<ModelId> operator()(const ForgetFailure& change);
+    Result<ModelId> operator()(const PutUpload& change);
+    Result<ModelId> operator()(const FailUpload& change);
 
-    void commit() { transaction_.commit(); }
+    Result<void> commit() { return impl_.commit(transaction_); }
 
 private:
     Query query(const std::string& sql) { return Query(impl_.statement(sql)); }
@@ -76,6 +78,7 @@ private:
     Revision revision() {
         if (revision_ == 0) {
             query("UPDATE state SET revision = revision + 1 WHERE id = 1").run();
+            impl_.seal("state", "id = ?", 1);
             revision_ = impl_.connection->integer("SELECT revision FROM state WHERE id = 1");
         }
         return revision_;
@@ -88,6 +91,7 @@ private:
     ModelId put_row(const ModelSummary& summary, std::optional<ModelId> id);
     void put_parts(ModelId id, const NewModel& model, const EncodedModel& encoded);
     void put_orientation(ModelId id, const Orientation& orientation);
+    Result<ModelId> put(const NewModel& model);
     void forget_failure(const std::string& path) {
         query("DELETE FROM failures WHERE path = ?").bind(path).run();
     }
@@ -134,7 +138,9 @@ ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) 
     }
     if (summary.path.empty()) insert.bind_at(2, nullptr);
     insert.run();
-    return id ? *id : impl_.database().getLastInsertRowid();
+    const ModelId given = id ? *id : impl_.database().getLastInsertRowid();
+    impl_.seal("models", "id = ?", given);
+    return given;
 }
 
 void Writer::remove_parts(ModelId id) {
@@ -187,8 +193,9 @@ void Writer::put_orientation(ModelId id, const Orientation& orientation) {
         .run();
 }
 
-Result<ModelId> Writer::operator()(const PutModel& change) {
-    const NewModel& model = change.model;
+Result<ModelId> Writer::operator()(const PutModel& change) { return put(change.model); }
+
+Result<ModelId> Writer::put(const NewModel& model) {
     assert(is_content_hash(model.summary.content_hash));
     const auto old = existing(model.summary.path, model.summary.content_hash);
     if (old && old->content_hash == model.summary.content_hash) return old->id;
@@ -213,6 +220,7 @@ Result<ModelId> Writer::operator()(const MoveModel& change) {
     move.bind(change.id, change.path, change.name, nullptr, revision());
     if (change.class_name) move.bind_at(4, *change.class_name);
     if (move.run() == 0) return impl_.no_model(change.id);
+    impl_.seal("models", "id = ?", change.id);
     forget_failure(change.path);
     return change.id;
 }
@@ -222,6 +230,7 @@ Result<ModelId> Writer::operator()(const ClassifyModel& change) {
     if (classify.bind(change.id, change.class_name, revision()).run() == 0) {
         return impl_.no_model(change.id);
     }
+    impl_.seal("models", "id = ?", change.id);
     return change.id;
 }
 
@@ -266,11 +275,26 @@ Result<ModelId> Writer::operator()(const RecordFailure& change) {
         .bind(change.path, change.content_hash, to_string(change.error.code), change.error.message,
               utc_now())
         .run();
+    impl_.seal("failures", "path = ?", change.path);
     return ModelId{0};
 }
 
 Result<ModelId> Writer::operator()(const ForgetFailure& change) {
     forget_failure(change.path);
+    return ModelId{0};
+}
+
+Result<ModelId> Writer::operator()(const PutUpload& change) {
+    const auto id = put(change.model);
+    if (!id) return id;
+    const auto finished = finish_upload(impl_, change.upload, {.model = *id, .error = {}});
+    if (!finished) return finished.error();
+    return id;
+}
+
+Result<ModelId> Writer::operator()(const FailUpload& change) {
+    const auto finished = finish_upload(impl_, change.upload, {.model = 0, .error = change.error});
+    if (!finished) return finished.error();
     return ModelId{0};
 }
 
@@ -286,7 +310,7 @@ Result<std::vector<ModelId>> Store::apply(std::span<const Change> changes) {
             if (!id) return id.error();
             ids.push_back(*id);
         }
-        writer.commit();
+        if (const auto committed = writer.commit(); !committed) return committed.error();
         return ids;
     });
 }

@@ -31,7 +31,8 @@ Evaluations::~Evaluations() = default;
 std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snapshot,
                                                      const ranking::RankOptions& options) {
     std::lock_guard lock(mutex_);
-    const auto found = results_.find({snapshot.revision(), options.ranker, options.rerank});
+    const auto found = results_.find(
+        {snapshot.state().replacements, snapshot.revision(), options.ranker, options.rerank});
     if (found == results_.end() || !found->second) return std::nullopt;
     return *found->second;
 }
@@ -51,7 +52,8 @@ Result<Evaluations::Shared> Evaluations::get(const Snapshot& snapshot,
                     " models with a class; this server evaluates at most " +
                     std::to_string(max_models_) + ". `ossuary evaluate` has no limit."};
     }
-    const Key key{snapshot->revision(), options.ranker, options.rerank};
+    const Key key{snapshot->state().replacements, snapshot->revision(), options.ranker,
+                  options.rerank};
     std::unique_lock lock(mutex_);
     const auto is_this = [&](const Task& task) { return task.key == key; };
     if (!results_.contains(key) && std::none_of(tasks_.begin(), tasks_.end(), is_this)) {
@@ -72,9 +74,11 @@ void Evaluations::work(std::stop_token stop) {
         Result<Shared> result = compute(task);
         lock.lock();
         // Those of earlier revisions will not be asked for again.
-        const index::Revision current = std::get<index::Revision>(task.key);
+        const auto state_of = [](const Key& key) {
+            return std::pair(std::get<std::uint64_t>(key), std::get<index::Revision>(key));
+        };
         std::erase_if(results_, [&](const auto& entry) {
-            return std::get<index::Revision>(entry.first) < current;
+            return state_of(entry.first) < state_of(task.key);
         });
         results_.insert_or_assign(task.key, std::move(result));
         tasks_.pop_front();

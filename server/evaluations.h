@@ -1,6 +1,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -47,7 +48,8 @@ public:
     [[nodiscard]] std::size_t max_models() const { return max_models_; }
 
 private:
-    using Key = std::tuple<index::Revision, ranking::RankerKind, bool>;
+    /// The state of the collection's models, see index::CollectionState, and what is evaluated.
+    using Key = std::tuple<std::uint64_t, index::Revision, ranking::RankerKind, bool>;
     struct Task {
         Key key;
         Snapshot snapshot;

@@ -1,56 +1,93 @@
 #include "server/jobs.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <new>
+
+#include "index/process_mark.h"
 #include "index/turn_model.h"
 
 namespace ossuary::server {
 
-std::string_view to_string(JobState state) {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Between looks for uploads that another server has accepted, or has left.
+constexpr auto kInterval = 1s;
+/// Between tries while the index cannot be used, at most.
+constexpr auto kLongestInterval = 32s;
+
+std::string label(const index::ClaimedUpload& upload) {
+    return "job " + std::to_string(upload.claim.id) + ": ";
+}
+
+std::string in_words(const Error& error) {
+    return std::string(to_string(error.code)) + ": " + error.message;
+}
+
+}  // namespace
+
+std::string_view to_string(index::UploadState state) {
     switch (state) {
-        case JobState::kQueued:
+        case index::UploadState::kQueued:
             return "queued";
-        case JobState::kRunning:
+        case index::UploadState::kRunning:
             return "running";
-        case JobState::kDone:
+        case index::UploadState::kDone:
             return "done";
-        case JobState::kFailed:
+        case index::UploadState::kFailed:
             break;
     }
     return "failed";
 }
 
-Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics)
+Jobs::Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics, Describe describe)
     : store_(std::move(store)),
       limits_(limits),
       log_(log),
       metrics_(metrics),
-      thread_([this](std::stop_token stop) { work(stop); }) {}
-
-Jobs::~Jobs() = default;
-
-std::optional<JobId> Jobs::add(index::UploadedModel upload) {
-    std::lock_guard lock(mutex_);
-    if (waiting_.size() >= limits_.waiting_jobs) return std::nullopt;
-    if (!waiting_.empty() && waiting_bytes_ + upload.bytes.size() > limits_.waiting_bytes) {
-        return std::nullopt;
+      describe_(std::move(describe)),
+      mark_(index::process_mark()),
+      timer_(limits.model_timeout_seconds) {
+    store_.follow_replacements();
+    const auto queue = store_.upload_queue();
+    if (queue && queue->waiting > 0) {
+        log_.info(std::to_string(queue->waiting) + " uploads wait from before");
     }
-    const JobId id = ++last_;
-    jobs_[id].id = id;
-    waiting_bytes_ += upload.bytes.size();
-    waiting_.emplace_back(id, std::move(upload));
-    metrics_.jobs(waiting_.size());
-    added_.notify_all();
-    return id;
+    thread_ = std::jthread([this](std::stop_token stop) { work(stop); });
 }
 
-std::optional<Job> Jobs::find(JobId id) const {
-    std::lock_guard lock(mutex_);
-    const auto found = jobs_.find(id);
-    if (found == jobs_.end()) return std::nullopt;
-    return found->second;
+Jobs::~Jobs() {
+    thread_.request_stop();
+    thread_.join();
+    const auto queue = store_.upload_queue();
+    if (!queue) {
+        log_.warn("uploads that wait stay in the index; how many cannot be told: " +
+                  in_words(queue.error()));
+    } else if (queue->waiting > 0) {
+        log_.info(std::to_string(queue->waiting) +
+                  " uploads stay in the index; the next server adds them");
+    }
+}
+
+Result<std::optional<index::UploadId>> Jobs::add(const index::UploadedModel& upload) {
+    auto added = store_.add_upload(upload, limits_.waiting);
+    if (!added || !*added) return added;
+    report_queue();
+    {
+        const std::lock_guard lock(mutex_);
+        look_ = true;
+    }
+    added_.notify_all();
+    return added;
 }
 
 Result<void> Jobs::remove(index::ModelId id) {
     if (auto removed = store_.remove(id); !removed) return removed;
+    folded_ = false;
     return index::update_statistics(store_);
 }
 
@@ -59,33 +96,122 @@ Result<index::Orientation> Jobs::turn(index::ModelId id, std::optional<index::Up
 }
 
 void Jobs::work(std::stop_token stop) {
-    std::unique_lock lock(mutex_);
-    while (added_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
-        if (stop.stop_requested()) return;
-        const auto [id, upload] = std::move(waiting_.front());
-        waiting_.pop_front();
-        waiting_bytes_ -= upload.bytes.size();
-        metrics_.jobs(waiting_.size());
-        jobs_[id].state = JobState::kRunning;
-        lock.unlock();
-        const auto model = index::index_one(store_, upload, stop);
-        lock.lock();
-
-        Job& job = jobs_[id];
-        job.state = model ? JobState::kDone : JobState::kFailed;
-        if (model) {
-            job.model = *model;
-            log_.info("job " + std::to_string(id) + ": model " + std::to_string(*model));
-        } else {
-            job.error = model.error();
-            log_.warn("job " + std::to_string(id) + ": " +
-                      std::string(to_string(model.error().code)) + ": " + model.error().message);
+    std::chrono::seconds pause = kInterval;
+    while (!stop.stop_requested()) {
+        Turn turn = Turn::kIndexInTrouble;
+        // Whatever a model brings about ends with that model, or is tried again; never the thread.
+        try {
+            turn = take_turn(stop);
+        } catch (const std::bad_alloc&) {
+            log_.error("jobs: out_of_memory");
+        } catch (const std::exception& exception) {
+            log_.error(std::string("jobs: ") + exception.what());
         }
-        metrics_.job_done(model.ok());
-        while (jobs_.size() > limits_.remembered + limits_.waiting_jobs) {
-            jobs_.erase(jobs_.begin());
+        if (turn == Turn::kDone) {
+            pause = kInterval;
+            continue;
         }
+        pause = turn == Turn::kNothingWaits
+                    ? kInterval
+                    : std::min<std::chrono::seconds>(2 * pause, kLongestInterval);
+        std::unique_lock lock(mutex_);
+        added_.wait_for(lock, stop, pause, [&] { return look_ && turn == Turn::kNothingWaits; });
+        look_ = false;
     }
+}
+
+Jobs::Turn Jobs::take_turn(const std::stop_token& stop) {
+    const auto claimed = store_.claim_upload(mark_);
+    if (!claimed) return trouble(claimed.error());
+    if (!*claimed) {
+        last_trouble_.clear();
+        // What is done should not hang on a log beside the index.
+        if (!folded_.exchange(true)) (void)store_.checkpoint();
+        return Turn::kNothingWaits;
+    }
+    const index::ClaimedUpload& upload = **claimed;
+    report_queue();
+    if (upload.attempt > limits_.attempts) {
+        return fail(upload, {ErrorCode::kUploadAbandoned,
+                             "the server ended " + std::to_string(limits_.attempts) +
+                                 " times while it worked on this model"});
+    }
+    auto model = describe(upload, stop);
+    if (stop.stop_requested() && (!model || !model->segments)) {
+        // Half done by order: the next server begins anew.
+        if (const auto released = store_.release_upload(upload.claim); !released) {
+            return trouble(released.error());
+        }
+        return Turn::kDone;
+    }
+    return finish(upload, std::move(model));
+}
+
+Result<index::NewModel> Jobs::describe(const index::ClaimedUpload& upload,
+                                       const std::stop_token& stop) {
+    const index::ModelTimer::Watch watch(timer_, stop);
+    try {
+        auto model = describe_(upload.model, store_.parameters(), watch.token());
+        if (!model && model.error().code == ErrorCode::kCancelled) {
+            return {ErrorCode::kCancelled,
+                    upload.model.name + ": took longer than " +
+                        std::to_string(std::lround(limits_.model_timeout_seconds)) + " s"};
+        }
+        return model;
+    } catch (const std::bad_alloc&) {
+        return {ErrorCode::kOutOfMemory, upload.model.name + ": not enough memory"};
+    } catch (const std::exception& exception) {
+        return {ErrorCode::kInternal, upload.model.name + ": " + exception.what()};
+    }
+}
+
+Jobs::Turn Jobs::finish(const index::ClaimedUpload& upload, Result<index::NewModel> model) {
+    if (!model) return fail(upload, model.error());
+    const index::Change change = index::PutUpload{upload.claim, *std::move(model)};
+    const auto ids = store_.apply({&change, 1});
+    if (!ids) {
+        // What cannot be stored now may be stored later, except for what never can be.
+        return ids.error().code == ErrorCode::kInternal ? fail(upload, ids.error())
+                                                        : trouble(ids.error());
+    }
+    log_.info(label(upload) + "model " + std::to_string(ids->front()));
+    metrics_.job_done(true);
+    make_first_statistics();
+    report_queue();
+    folded_ = false;
+    return Turn::kDone;
+}
+
+Jobs::Turn Jobs::fail(const index::ClaimedUpload& upload, const Error& error) {
+    const index::Change change = index::FailUpload{upload.claim, error};
+    if (const auto failed = store_.apply({&change, 1}); !failed) return trouble(failed.error());
+    log_.warn(label(upload) + in_words(error));
+    metrics_.job_done(false);
+    report_queue();
+    folded_ = false;
+    return Turn::kDone;
+}
+
+Jobs::Turn Jobs::trouble(const Error& error) {
+    const std::string words = in_words(error);
+    if (words != last_trouble_) log_.error("jobs: " + words + "; uploads wait");
+    last_trouble_ = words;
+    return Turn::kIndexInTrouble;
+}
+
+/// Rankers cannot do without; later ones judge a model that statistics do not know by its own
+/// distances.
+void Jobs::make_first_statistics() {
+    const auto state = store_.collection_state();
+    if (!state || state->statistics >= 0) return;
+    if (const auto made = index::update_statistics(store_); !made) {
+        log_.error("statistics: " + in_words(made.error()));
+    }
+}
+
+void Jobs::report_queue() {
+    const auto queue = store_.upload_queue();
+    if (queue) metrics_.jobs(queue->waiting);
 }
 
 }  // namespace ossuary::server

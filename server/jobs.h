@@ -1,10 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
-#include <cstdint>
-#include <deque>
-#include <filesystem>
-#include <map>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,57 +13,68 @@
 
 #include "engine/core/result.h"
 #include "index/indexer.h"
+#include "index/model_timer.h"
 #include "index/store.h"
+#include "index/upload.h"
 #include "server/log.h"
 #include "server/metrics.h"
 
 namespace ossuary::server {
 
-using JobId = std::int64_t;
-
-enum class JobState { kQueued, kRunning, kDone, kFailed };
-[[nodiscard]] std::string_view to_string(JobState state);
-
-struct Job {
-    JobId id = 0;
-    JobState state = JobState::kQueued;
-    index::ModelId model = 0;    ///< once done
-    std::optional<Error> error;  ///< once failed
-};
+[[nodiscard]] std::string_view to_string(index::UploadState state);
 
 /// Changes the collection: adds uploaded models one after the other on a thread of its own, and
-/// removes models. Has its own, writable store; readers follow by the index's revision.
+/// removes models. Has its own, writable store; readers follow by the index's revision. What has
+/// been accepted waits in the index, so that it is done by the next server should this one end.
 class Jobs {
 public:
     struct Limits {
-        std::size_t waiting_jobs = 64;
-        std::size_t waiting_bytes = 256 << 20;
-        std::size_t remembered = 1000;  ///< finished jobs, the oldest are forgotten first
+        index::UploadLimits waiting;
+        double model_timeout_seconds = 600.0;  ///< for one model; 0 = for ever
+        int attempts = 3;  ///< an upload in whose middle so many servers ended is given up
     };
-    Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics);
+    /// How a model is described; another in tests.
+    using Describe = std::function<Result<index::NewModel>(
+        const index::UploadedModel&, const index::IndexParameters&, std::stop_token)>;
+
+    Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
+         Describe describe = index::describe_upload);
+    /// Leaves what waits, and what is under way, to the next server.
     ~Jobs();
 
-    /// None when too many wait.
-    std::optional<JobId> add(index::UploadedModel upload);
-    [[nodiscard]] std::optional<Job> find(JobId id) const;
+    /// The upload's number once it is safe in the index; none when too many wait.
+    Result<std::optional<index::UploadId>> add(const index::UploadedModel& upload);
     /// Errors: model_not_found, those of the store.
     Result<void> remove(index::ModelId id);
     /// See index::turn_model.
     Result<index::Orientation> turn(index::ModelId id, std::optional<index::Up> up);
 
 private:
+    /// What became of a look at the queue.
+    enum class Turn { kDone, kNothingWaits, kIndexInTrouble };
+
     void work(std::stop_token stop);
+    Turn take_turn(const std::stop_token& stop);
+    Result<index::NewModel> describe(const index::ClaimedUpload& upload,
+                                     const std::stop_token& stop);
+    Turn finish(const index::ClaimedUpload& upload, Result<index::NewModel> model);
+    Turn fail(const index::ClaimedUpload& upload, const Error& error);
+    Turn trouble(const Error& error);
+    void make_first_statistics();
+    void report_queue();
 
     index::Store store_;
     const Limits limits_;
     Log& log_;
     Metrics& metrics_;
-    mutable std::mutex mutex_;
+    const Describe describe_;
+    const std::string mark_;
+    index::ModelTimer timer_;
+    std::string last_trouble_;          ///< of the thread
+    std::atomic<bool> folded_ = false;  ///< whether the log was folded in since the last change
+    std::mutex mutex_;
     std::condition_variable_any added_;
-    std::deque<std::pair<JobId, index::UploadedModel>> waiting_;
-    std::size_t waiting_bytes_ = 0;
-    std::map<JobId, Job> jobs_;
-    JobId last_ = 0;
+    bool look_ = false;    ///< something was added; guarded by the mutex
     std::jthread thread_;  ///< last, so that it ends first
 };
 

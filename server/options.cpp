@@ -7,8 +7,12 @@ namespace {
 
 constexpr int kUsage = 2;
 
-void add_options(CLI::App& app, ServerOptions& options, long& request_seconds,
-                 long& drain_seconds) {
+/// Times as the command line has them.
+struct Seconds {
+    long request, drain, model;
+};
+
+void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
     app.add_option("--index", options.index, "the index to search")->required();
     app.add_option("--host", options.host, "address to listen on")->capture_default_str();
     app.add_option("--port", options.port, "port to listen on; 0 picks a free one")
@@ -35,12 +39,16 @@ void add_options(CLI::App& app, ServerOptions& options, long& request_seconds,
                    "larger collections are not evaluated on request")
         ->capture_default_str();
     app.add_option(
-           "--request-timeout", request_seconds,
+           "--request-timeout", seconds.request,
            "seconds for an upload to arrive, again for its answer to be made, and again for "
            "it to be taken")
         ->check(CLI::Range(1, 3600))
         ->capture_default_str();
-    app.add_option("--drain-timeout", drain_seconds,
+    app.add_option("--model-timeout", seconds.model,
+                   "seconds that an uploaded model may take to be indexed; 0 = for ever")
+        ->check(CLI::Range(0, 86400))
+        ->capture_default_str();
+    app.add_option("--drain-timeout", seconds.drain,
                    "seconds that requests under way get to finish after SIGTERM")
         ->check(CLI::Range(0, 3600))
         ->capture_default_str();
@@ -59,19 +67,20 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     CLI::App app("Serves an index of 3D models: search, models and gallery over HTTP.",
                  "ossuary-server");
     app.set_version_flag("--version", "ossuary-server " OSSUARY_VERSION);
-    auto seconds =
+    const auto request =
         std::chrono::duration_cast<std::chrono::seconds>(parsed.options.http.request_timeout);
-    long request_seconds = seconds.count();
-    long drain_seconds = parsed.options.drain_timeout.count();
-    add_options(app, parsed.options, request_seconds, drain_seconds);
+    Seconds seconds{request.count(), parsed.options.drain_timeout.count(),
+                    parsed.options.model_timeout.count()};
+    add_options(app, parsed.options, seconds);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& outcome) {
         parsed.exit_status = app.exit(outcome) == 0 ? 0 : kUsage;
         return parsed;
     }
-    parsed.options.http.request_timeout = std::chrono::seconds(request_seconds);
-    parsed.options.drain_timeout = std::chrono::seconds(drain_seconds);
+    parsed.options.http.request_timeout = std::chrono::seconds(seconds.request);
+    parsed.options.drain_timeout = std::chrono::seconds(seconds.drain);
+    parsed.options.model_timeout = std::chrono::seconds(seconds.model);
     // Four uploads of the largest size at once, whatever that size is.
     parsed.options.http.max_bodies = 4 * parsed.options.http.max_body;
     parsed.run = true;

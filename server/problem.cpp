@@ -108,6 +108,8 @@ const std::vector<ErrorRow>& error_rows() {
         {kIndexParameters, 500, "Index of other parameters"},
         {kModelNotFound, 404, "No such model"},
         {kEvaluationNotFound, 404, "No such evaluation"},
+        {kIndexReplaced, 503, "Index replaced", 5},
+        {kUploadAbandoned, 500, "Upload given up"},
         {kPruneRefused, 409, "Pruning refused"},
     };
     return rows;

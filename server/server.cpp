@@ -6,6 +6,7 @@
 #include "engine/core/parallel.h"
 #include "server/application.h"
 #include "server/auth.h"
+#include "server/index_watch.h"
 #include "server/service.h"
 
 namespace ossuary::server {
@@ -30,6 +31,7 @@ struct Server::Parts {
           evaluations(options.index, options.evaluation_models, log),
           service{options,     log,   metrics,       searcher, slots,
                   evaluations, files, std::string(), nullptr,  random_word()},
+          watch(searcher, log),
           application(service),
           http(options.http, application) {}
 
@@ -41,6 +43,7 @@ struct Server::Parts {
     Slots slots;
     Evaluations evaluations;
     Service service;
+    IndexWatch watch;
     Application application;
     HttpServer http;
     int port = 0;
@@ -53,14 +56,16 @@ Server::~Server() = default;
 Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
     auto key = read_admin_key(options.admin_key_file);
     if (!key) return key.error();
-    auto searcher = index::Searcher::open(options.index);
-    if (!searcher) return searcher.error();
+    // Before the index: a file that is read while a store has it open costs the store its locks.
     StaticFiles files;
     if (!options.web.empty()) {
         auto loaded = StaticFiles::load(options.web);
         if (!loaded) return loaded.error();
         files = *std::move(loaded);
     }
+    auto searcher = index::Searcher::open(options.index);
+    if (!searcher) return searcher.error();
+    searcher->store().follow_replacements();
     // Loaded now, so that the first search does not wait for it and a damaged index shows here.
     const auto snapshot = searcher->snapshot();
     if (!snapshot) return snapshot.error();
@@ -74,7 +79,8 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
         auto store = index::Store::open(options.index, index::Access::kReadWrite);
         if (!store) return store.error();
         Jobs::Limits limits;
-        limits.waiting_bytes = options.http.max_bodies;
+        limits.waiting.waiting_bytes = options.http.max_bodies;
+        limits.model_timeout_seconds = static_cast<double>(options.model_timeout.count());
         parts->service.admin_key = *std::move(key);
         parts->service.jobs =
             std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics);

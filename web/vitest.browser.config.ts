@@ -17,8 +17,9 @@ export default defineConfig({
     test: {
         environment: 'node',
         include: ['**/*.test.ts'],
-        testTimeout: 240_000,
-        hookTimeout: 180_000,
+        // Longer than the longest wait inside: that one says what it waited for.
+        testTimeout: 1_200_000,
+        hookTimeout: 900_000,
         fileParallelism: false,
     },
 });

@@ -54,6 +54,8 @@ enum class ErrorCode {
     kIndexParameters,
     kModelNotFound,
     kEvaluationNotFound,
+    kIndexReplaced,
+    kUploadAbandoned,
     kPruneRefused,
 };
 
@@ -103,6 +105,8 @@ inline constexpr std::array kErrorCodeNames = {
     ErrorCodeName{ErrorCode::kIndexParameters, "index_parameters"},
     ErrorCodeName{ErrorCode::kModelNotFound, "model_not_found"},
     ErrorCodeName{ErrorCode::kEvaluationNotFound, "evaluation_not_found"},
+    ErrorCodeName{ErrorCode::kIndexReplaced, "index_replaced"},
+    ErrorCodeName{ErrorCode::kUploadAbandoned, "upload_abandoned"},
     ErrorCodeName{ErrorCode::kPruneRefused, "prune_refused"},
 };
 

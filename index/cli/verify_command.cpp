@@ -6,13 +6,14 @@
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
+#include "index/migrations.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
 namespace {
 
 Result<ExitCode> run(const std::string& index_path, const Session& session) {
-    Result<index::Store> store = index::Store::open(index_path, index::Access::kReadOnly);
+    Result<index::Store> store = index::Store::open(index_path, index::Access::kInspect);
     if (!store.ok()) return store.error();
     const Result<index::VerifyReport> report = store->verify();
     if (!report.ok()) return report.error();
@@ -27,6 +28,11 @@ Result<ExitCode> run(const std::string& index_path, const Session& session) {
             report->failures, report->revision,
             report->findings.empty() ? std::string("clean")
                                      : fmt::format("{} findings", report->findings.size()));
+    }
+    if (report->version < index::schema_version()) {
+        std::cerr << terminal_format(
+            "{}: an index of version {}; any other command migrates it to version {}\n", index_path,
+            report->version, index::schema_version());
     }
     return report->findings.empty() ? ExitCode::kDone : ExitCode::kNotAnIndex;
 }

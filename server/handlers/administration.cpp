@@ -5,6 +5,22 @@
 #include "server/parameters.h"
 
 namespace ossuary::server {
+namespace {
+
+/// Why a job failed, as far as it concerns its client: what the server is at fault for may name
+/// files of this machine.
+nlohmann::json job_error(const index::UploadRecord& job) {
+    std::string message = job.message;
+    for (const ErrorCodeName& name : kErrorCodeNames) {
+        if (name.name == job.code && problem_row(name.code).status == 500 &&
+            name.code != ErrorCode::kUploadAbandoned) {
+            message = "The server could not do this; its log says why under the job's number.";
+        }
+    }
+    return {{"code", job.code}, {"message", message}};
+}
+
+}  // namespace
 
 std::optional<Problem> check_add_model(const Service&, const RequestHead& head) {
     ParameterReader reader(head);
@@ -26,8 +42,9 @@ Checked<Response> add_model(Service& service, const Request& request) {
     const std::string* class_name = find_field(request.head.parameters, "class");
     const auto job = service.jobs->add({std::string(upload->bytes), upload->name,
                                         class_name == nullptr ? std::string() : *class_name});
-    if (!job) return fail(RequestFault::kOverloaded, "Too many models wait to be indexed.");
-    const std::string location = "/v1/jobs/" + std::to_string(*job);
+    if (!job) return fail(job.error());
+    if (!*job) return fail(RequestFault::kOverloaded, "Too many models wait to be indexed.");
+    const std::string location = "/v1/jobs/" + std::to_string(**job);
     Response response = json_answer({{"job", location}});
     response.status = 202;
     response.set_header("Location", location);
@@ -70,17 +87,19 @@ Checked<Response> get_job(Service& service, const Request& request) {
     }
     const auto id = parse_id(request.capture, "job");
     if (!id) return tl::unexpected<Problem>(id.error());
-    const auto job = service.jobs ? service.jobs->find(*id) : std::nullopt;
-    if (!job) {
+    // In the index, so that it is known whichever server did the work.
+    const auto job = service.searcher.store().upload(*id);
+    if (!job) return fail(job.error());
+    if (!*job) {
         return fail(RequestFault::kJobNotFound, "There is no job " + request.capture + ".");
     }
-    nlohmann::json json = {
-        {"id", job->id}, {"state", to_string(job->state)}, {"model", nullptr}, {"error", nullptr}};
-    if (job->state == JobState::kDone) json["model"] = job->model;
-    if (job->error) {
-        const Problem told = problem(*job->error);
-        json["error"] = {{"code", told.row.code}, {"message", told.detail}};
-    }
+    const index::UploadRecord& record = **job;
+    nlohmann::json json = {{"id", record.id},
+                           {"state", to_string(record.state)},
+                           {"model", nullptr},
+                           {"error", nullptr}};
+    if (record.state == index::UploadState::kDone) json["model"] = record.model;
+    if (record.state == index::UploadState::kFailed) json["error"] = job_error(record);
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
     return response;

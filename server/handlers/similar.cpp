@@ -21,8 +21,8 @@ Checked<Response> similar(Service& service, const Request& request) {
         return fail({ErrorCode::kModelNotFound, "There is no model " + request.capture + "."});
     }
     // The answer says how long it took, so its own bytes make no tag; what it depends on does.
-    std::string key =
-        service.instance + ' ' + std::to_string((*snapshot)->revision()) + ' ' + request.head.path;
+    std::string key = service.instance + ' ' + std::to_string((*snapshot)->state().replacements) +
+                      ' ' + std::to_string((*snapshot)->revision()) + ' ' + request.head.path;
     for (const Field& field : request.head.parameters) {
         key += '\n' + field.name + '=' + field.value;
     }

@@ -1,35 +1,22 @@
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
+import type { BrowserContextOptions, Page } from 'playwright-core';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
-import { kClasses, kModelsPerClass, type WrittenModels, writeModels } from './models';
-import { buildIndex, type Server, startServer } from './server';
-import { launchBrowser, looksOf, settledPicture, type Visitor, visit } from './visitor';
+import { type ServedCollection, serveCollection } from './collection';
+import { kClasses, kModelsPerClass } from './models';
+import { looksOf, pictureOf, untilDrawn, type Visitor, visit } from './visitor';
 
 const kModels = kClasses.length * kModelsPerClass;
 const kSmall = { width: 1000, height: 480 };
 
-let folder: string;
-let models: WrittenModels;
-let server: Server;
-let browser: Browser;
+let collection: ServedCollection;
 let visitor: Visitor;
 
 beforeAll(async () => {
-    folder = mkdtempSync(join(tmpdir(), 'ossuary-browser-'));
-    models = writeModels(folder);
-    const index = join(folder, 'collection.ossuary');
-    buildIndex(index, models.folder, models.classes);
-    server = await startServer(index);
-    browser = await launchBrowser();
+    collection = await serveCollection();
 });
 
 afterAll(async () => {
-    await browser?.close();
-    await server?.stop();
-    rmSync(folder, { recursive: true, force: true });
+    await collection?.stop();
 });
 
 afterEach(async () => {
@@ -37,8 +24,8 @@ afterEach(async () => {
 });
 
 async function open(hash = '#/', options: BrowserContextOptions = {}): Promise<Page> {
-    visitor = await visit(browser, server.origin, options);
-    await visitor.page.goto(`${server.origin}/${hash}`);
+    visitor = await visit(collection.browser, collection.origin, options);
+    await visitor.page.goto(`${collection.origin}/${hash}`);
     return visitor.page;
 }
 
@@ -79,7 +66,8 @@ describe('the start page', () => {
                 images.map((image) => (image as HTMLImageElement).naturalWidth),
             );
         expect(Math.min(...widths)).toBeGreaterThan(32);
-        expect((await looksOf(page.locator('.thumbnail-ready').first())).colors).toBeGreaterThan(3);
+        const thumbnail = await page.locator('.thumbnail-ready').first().screenshot();
+        expect((await looksOf(thumbnail, page)).colors).toBeGreaterThan(3);
         expectGoodManners();
     });
 
@@ -103,15 +91,15 @@ describe('the start page', () => {
 
     it('shows the code of an upload that is cut off, and still takes a good one', async () => {
         const page = await open();
-        await upload(page, models.truncated);
+        await upload(page, collection.models.truncated);
         const code = page.locator('.notice-code');
         await code.waitFor();
         expect(await code.textContent()).toMatch(/^[a-z]+(_[a-z]+)+$/);
         expect(await code.textContent()).toContain('truncated');
-        expect(page.url()).toBe(`${server.origin}/#/`);
+        expect(page.url()).toBe(`${collection.origin}/#/`);
         // The browser itself reports the refusal, and nothing else may be wrong.
         expect(visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
-        await upload(page, models.query);
+        await upload(page, collection.models.query);
         await page.waitForURL('**/#/search');
         expect(visitor.strangers).toEqual([]);
     });
@@ -120,14 +108,14 @@ describe('the start page', () => {
 describe('a search by upload', () => {
     it('leads to hits with pictures, to the 3D comparison and to the reports', async () => {
         const page = await open();
-        await upload(page, models.query);
+        await upload(page, collection.models.query);
         await page.waitForURL('**/#/search');
         await page.locator('.hit-card').first().waitFor();
         expect(await page.locator('.hit-card').count()).toBe(kModels);
         expect(await page.locator('.hit-card .tag').first().textContent()).toBe('quadruped');
         await page.locator('.hit-card .thumbnail-ready').first().waitFor();
-        await page.locator('.query-picture canvas').waitFor();
-        expect((await looksOf(page.locator('.query-picture canvas'))).drawn).toBeGreaterThan(0.02);
+        const query = await pictureOf(page.locator('.query-picture canvas'));
+        expect((await looksOf(query, page)).drawn).toBeGreaterThan(0.02);
 
         await page.locator('.hit-card a').first().click();
         await page.waitForURL('**/#/search/hits/*');
@@ -135,7 +123,7 @@ describe('a search by upload', () => {
         await canvases.nth(1).waitFor();
         expect(await canvases.count()).toBe(2);
         for (const canvas of await canvases.all()) {
-            const { colors, drawn } = await looksOf(canvas);
+            const { colors, drawn } = await looksOf(await pictureOf(canvas), page);
             expect(colors).toBeGreaterThan(5);
             expect(drawn).toBeGreaterThan(0.02);
         }
@@ -147,8 +135,8 @@ describe('a search by upload', () => {
         expect(await page.locator('dialog').count()).toBe(0);
         await page.getByRole('link', { name: 'Reports' }).click();
         await page.locator('.metrics-table tbody tr').nth(2).waitFor();
-        const curve = page.locator('.curve canvas');
-        expect((await looksOf(curve)).colors).toBeGreaterThan(5);
+        const curve = await page.locator('.curve canvas').screenshot();
+        expect((await looksOf(curve, page)).colors).toBeGreaterThan(5);
         expect(await page.locator('.confusion-table tbody tr').count()).toBe(kClasses.length);
         expect(await page.locator('.class-table tbody tr').count()).toBe(kClasses.length);
         expectGoodManners();
@@ -156,7 +144,7 @@ describe('a search by upload', () => {
 
     it('asks again for other options, and goes back and forward', async () => {
         const page = await open();
-        await upload(page, models.query);
+        await upload(page, collection.models.query);
         await page.waitForURL('**/#/search');
         await page.locator('.hit-card').first().waitFor();
         const [again] = await Promise.all([
@@ -182,7 +170,7 @@ describe('a search by upload', () => {
 
     it('says that the upload is gone after a reload', async () => {
         const page = await open();
-        await upload(page, models.query);
+        await upload(page, collection.models.query);
         await page.waitForURL('**/#/search');
         await page.reload();
         await page.getByText('The uploaded model is gone.').waitFor();
@@ -205,7 +193,7 @@ describe('the 3D comparison', () => {
         const pictures = async () => {
             const found: Buffer[] = [];
             for (const canvas of canvases) {
-                found.push(await settledPicture(canvas));
+                found.push(await pictureOf(canvas));
             }
             return found;
         };
@@ -241,28 +229,74 @@ describe('the 3D comparison', () => {
             await page.mouse.up();
             await page.locator('.match-summary').hover();
         };
-        const still = await settledPicture(right);
+        const still = await pictureOf(right);
         await drag();
-        const together = await settledPicture(right);
+        const together = await pictureOf(right);
         expect(together.equals(still)).toBe(false);
         await page.getByLabel('Turn together').uncheck();
-        const alone = await settledPicture(left);
+        const alone = await pictureOf(left);
         await drag();
-        expect((await settledPicture(left)).equals(alone)).toBe(false);
-        expect((await settledPicture(right)).equals(together)).toBe(true);
+        expect((await pictureOf(left)).equals(alone)).toBe(false);
+        expect((await pictureOf(right)).equals(together)).toBe(true);
+        expectGoodManners();
+    });
+
+    it('stands a model on another of its axes, and that one alone', async () => {
+        const page = await openComparison();
+        const [left, right] = await page.locator('dialog .pane-canvas').all();
+        if (!left || !right) {
+            throw new Error('there are no two pictures');
+        }
+        const axis = (name: string) =>
+            page.locator('dialog .up-control').first().getByRole('button', { name });
+        const pictures = async () => {
+            await page.locator('.match-summary').hover();
+            return [await pictureOf(left), await pictureOf(right)] as const;
+        };
+        const before = await pictures();
+        await axis('z up').click();
+        const turned = await pictures();
+        expect(turned[0].equals(before[0])).toBe(false);
+        expect(turned[1].equals(before[1])).toBe(true);
+        await axis('y up').click();
+        expect((await pictures())[0].equals(before[0])).toBe(true);
         expectGoodManners();
     });
 
     it('keeps its tables where there is no WebGL', async () => {
-        visitor = await visit(browser, server.origin);
+        visitor = await visit(collection.browser, collection.origin);
         const { page } = visitor;
         await page.addInitScript(() => {
             HTMLCanvasElement.prototype.getContext = () => null;
         });
-        await page.goto(`${server.origin}/#/models/${kModels}`);
+        await page.goto(`${collection.origin}/#/models/${kModels}`);
         await page.locator('.hit-card a').first().click();
         await page.locator('dialog .no-webgl').waitFor();
         expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
+        expectGoodManners();
+    });
+});
+
+describe('a model that says which of its axes points up', () => {
+    it.each(['y', 'z'])('stands upright on %s, alone, compared and in parts', async (up) => {
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
+        await page.route(/\/v1\/models\/\d+$/, async (route) => {
+            const response = await route.fetch();
+            await route.fulfill({ response, json: { ...(await response.json()), up } });
+        });
+        await page.reload();
+        const said = (place: string) =>
+            page.locator(`${place} .up-control [aria-pressed=true]`).allTextContents();
+        await untilDrawn(page.locator('.query-picture canvas'));
+        expect(await said('.query-picture')).toEqual([`${up} up`]);
+        await page.locator('.hit-card a').first().click();
+        await untilDrawn(page.locator('dialog .pane-canvas').last());
+        expect(await said('dialog')).toEqual([`${up} up`, `${up} up`]);
+        await page.keyboard.press('Escape');
+        await page.locator('dialog').waitFor({ state: 'detached' });
+        await page.getByRole('link', { name: 'Parts and pose' }).click();
+        await untilDrawn(page.locator('dialog .pane-canvas'));
+        expect(await said('dialog')).toEqual([`${up} up`]);
         expectGoodManners();
     });
 });
@@ -276,11 +310,11 @@ describe('the parts of a model', () => {
     }
 
     /** What is drawn, without the buttons over it. */
-    async function pictureOf(page: Page): Promise<Buffer> {
+    async function modelIn(page: Page): Promise<Buffer> {
         const joints = page.getByRole('checkbox', { name: 'Joints' });
         await joints.uncheck();
         await page.locator('.match-summary').hover();
-        const picture = await settledPicture(page.locator('dialog .pane-canvas'));
+        const picture = await pictureOf(page.locator('dialog .pane-canvas'));
         await joints.check();
         return picture;
     }
@@ -291,23 +325,25 @@ describe('the parts of a model', () => {
         expect(shares.length).toBeGreaterThan(3);
         const sum = shares.reduce((total, share) => total + Number.parseFloat(share), 0);
         expect(Math.abs(sum - 100)).toBeLessThan(0.06 * shares.length);
-        const canvas = page.locator('dialog .pane-canvas');
-        const colored = await looksOf(canvas);
+        const looks = async () => {
+            await page.locator('.match-summary').hover();
+            return looksOf(await pictureOf(page.locator('dialog .pane-canvas')), page);
+        };
+        const colored = await looks();
         expect(colored.drawn).toBeGreaterThan(0.02);
         await page.getByRole('checkbox', { name: 'Parts' }).uncheck();
-        await page.locator('.match-summary').hover();
-        await settledPicture(canvas);
-        expect((await looksOf(canvas)).colors).toBeLessThan(colored.colors);
+        expect((await looks()).colors).toBeLessThan(colored.colors);
         await page.getByRole('checkbox', { name: 'Parts' }).check();
-        expect((await looksOf(canvas)).colors).toBe(colored.colors);
+        expect((await looks()).colors).toBe(colored.colors);
         expectGoodManners();
     });
 
     it('move with the joint that is dragged, and go back', async () => {
         const page = await openParts();
-        const rest = await pictureOf(page);
+        const rest = await modelIn(page);
         const joint = page.locator('.joint-handle').last();
         const place = async () => {
+            await untilDrawn(page.locator('dialog .pane-canvas'));
             const box = await joint.boundingBox();
             return { x: (box?.x ?? 0) + 7, y: (box?.y ?? 0) + 7 };
         };
@@ -319,11 +355,9 @@ describe('the parts of a model', () => {
         await page.mouse.up();
         const dragged = await place();
         expect(Math.hypot(dragged.x - from.x, dragged.y - from.y)).toBeGreaterThan(8);
-        expect((await pictureOf(page)).equals(rest)).toBe(false);
+        expect((await modelIn(page)).equals(rest)).toBe(false);
         await page.getByRole('button', { name: 'Reset pose' }).click();
-        await vi.waitFor(async () => expect((await pictureOf(page)).equals(rest)).toBe(true), {
-            timeout: 15_000,
-        });
+        expect((await modelIn(page)).equals(rest)).toBe(true);
         const back = await place();
         expect(Math.hypot(back.x - from.x, back.y - from.y)).toBeLessThan(1);
         expectGoodManners();
@@ -331,21 +365,19 @@ describe('the parts of a model', () => {
 
     it('move with the keyboard', async () => {
         const page = await openParts();
-        const rest = await pictureOf(page);
+        const rest = await modelIn(page);
         await page.locator('.joint-handle').last().focus();
         for (let press = 0; press < 4; press++) {
             await page.keyboard.press('ArrowUp');
         }
         await page.keyboard.press('ArrowLeft');
-        expect((await pictureOf(page)).equals(rest)).toBe(false);
+        expect((await modelIn(page)).equals(rest)).toBe(false);
         await page.locator('.joint-handle').last().focus();
         await page.keyboard.press('Home');
-        await vi.waitFor(async () => expect((await pictureOf(page)).equals(rest)).toBe(true), {
-            timeout: 15_000,
-        });
+        expect((await modelIn(page)).equals(rest)).toBe(true);
         await page.keyboard.press('Escape');
         await page.locator('dialog').waitFor({ state: 'detached' });
-        expect(page.url()).toBe(`${server.origin}/#/models/${kModels}`);
+        expect(page.url()).toBe(`${collection.origin}/#/models/${kModels}`);
         expectGoodManners();
     });
 
@@ -386,9 +418,9 @@ describe('without a mouse', () => {
         await page.locator('.match-table tbody tr').first().waitFor();
         const canvas = page.locator('dialog .pane-canvas').first();
         await tabTo(page, 'dialog .pane-canvas');
-        const before = await settledPicture(canvas);
+        const before = await pictureOf(canvas);
         await page.keyboard.press('ArrowRight');
-        expect((await settledPicture(canvas)).equals(before)).toBe(false);
+        expect((await pictureOf(canvas)).equals(before)).toBe(false);
         await tabTo(page, '.match-table tbody tr');
         await page.locator('.match-table tr.chosen').waitFor();
         await page.keyboard.press('Escape');
@@ -404,7 +436,7 @@ describe('without a mouse', () => {
         const chooser = page.waitForEvent('filechooser');
         await tabTo(page, '.drop-zone button');
         await page.keyboard.press('Enter');
-        await (await chooser).setFiles(models.query);
+        await (await chooser).setFiles(collection.models.query);
         await page.waitForURL('**/#/search');
         await page.locator('.hit-card').first().waitFor();
         expectGoodManners();

@@ -15,12 +15,15 @@ function program(variable: string, path: string): string {
     return found;
 }
 
+/** Far more than any of them takes on a busy machine. */
+const kProgramTimeoutMs = 600_000;
+
 /** Indexes `folder` into `index` with the command line program. */
 export function buildIndex(index: string, folder: string, classes: string): void {
     const ossuary = program('OSSUARY_BIN', 'build/release/bin/ossuary');
     execFileSync(ossuary, ['index', '--index', index, '--classes', classes, folder], {
         stdio: ['ignore', 'ignore', 'inherit'],
-        timeout: 150_000,
+        timeout: kProgramTimeoutMs,
     });
 }
 
@@ -29,7 +32,7 @@ export function writeRig(model: string, glb: string): void {
     const ossuary = program('OSSUARY_BIN', 'build/release/bin/ossuary');
     execFileSync(ossuary, ['segment', model, '--out', glb], {
         stdio: ['ignore', 'ignore', 'inherit'],
-        timeout: 60_000,
+        timeout: kProgramTimeoutMs,
     });
 }
 
@@ -39,7 +42,8 @@ export interface Server {
     stop(): Promise<void>;
 }
 
-const kStartTimeoutMs = 30_000;
+const kStartTimeoutMs = 240_000;
+const kStopTimeoutMs = 60_000;
 
 function announcedOrigin(child: ChildProcess): Promise<string> {
     return new Promise((resolve, reject) => {
@@ -80,7 +84,7 @@ export async function startServer(index: string): Promise<Server> {
         origin,
         async stop() {
             child.kill('SIGTERM');
-            const hard = setTimeout(() => child.kill('SIGKILL'), 10_000);
+            const hard = setTimeout(() => child.kill('SIGKILL'), kStopTimeoutMs);
             await ended;
             clearTimeout(hard);
         },

@@ -7,13 +7,14 @@ import {
 } from 'playwright-core';
 
 /** Software WebGL on a busy machine is slow; what hangs, hangs longer than this. */
-const kPatienceMs = 90_000;
+const kPatienceMs = 240_000;
 const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 /** Headless, WebGL in software, and silent towards the network. */
 export function launchBrowser(): Promise<Browser> {
     return chromium.launch({
         executablePath: kChromium,
+        timeout: kPatienceMs,
         args: [
             '--no-sandbox',
             '--use-angle=swiftshader',
@@ -64,10 +65,35 @@ export async function visit(
     return { page, complaints, strangers, close: () => context.close() };
 }
 
-/** How many colours a picture of the element has, and how much of it is not the most common one. */
-export async function looksOf(target: Locator): Promise<{ colors: number; drawn: number }> {
-    const png = (await target.screenshot()).toString('base64');
-    return target.page().evaluate(async (encoded) => {
+/** Waits until a 3D picture shows what was asked for last. */
+export async function untilDrawn(canvas: Locator): Promise<void> {
+    await canvas.evaluate(async () => {
+        // What the mouse did is handled with the next frame.
+        for (let frame = 0; frame < 2; frame++) {
+            await new Promise(requestAnimationFrame);
+        }
+    });
+    await canvas
+        .and(canvas.page().locator('[data-picture=drawn]'))
+        .waitFor({ state: 'attached', timeout: kPatienceMs });
+}
+
+/** What a 3D picture looks like once it is drawn. */
+export async function pictureOf(canvas: Locator): Promise<Buffer> {
+    await untilDrawn(canvas);
+    return canvas.screenshot();
+}
+
+export interface Looks {
+    colors: number;
+    /** Share of the picture, 0 to 1. */
+    drawn: number;
+}
+
+/** How many colours a picture has, and how much of it is not the most common one. */
+export async function looksOf(picture: Buffer, page: Page): Promise<Looks> {
+    const png = picture.toString('base64');
+    return page.evaluate(async (encoded) => {
         const bytes = Uint8Array.from(atob(encoded), (character) => character.charCodeAt(0));
         const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
         const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
@@ -86,21 +112,4 @@ export async function looksOf(target: Locator): Promise<{ colors: number; drawn:
         const most = Math.max(...counts.values());
         return { colors: counts.size, drawn: 1 - most / (bitmap.width * bitmap.height) };
     }, png);
-}
-
-/** A picture of the element once two in a row are the same: everything under way has been drawn. */
-export async function settledPicture(target: Locator): Promise<Buffer> {
-    let last = await target.screenshot();
-    let still = 0;
-    for (let attempt = 0; attempt < 40; attempt++) {
-        await target.page().waitForTimeout(150);
-        const next = await target.screenshot();
-        // Twice: on a busy machine one frame may take longer than the wait.
-        still = next.equals(last) ? still + 1 : 0;
-        if (still === 2) {
-            return next;
-        }
-        last = next;
-    }
-    throw new Error('the picture does not come to rest');
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "index/codec.h"
 #include "index/migrations.h"
 #include "index/store.h"
@@ -28,7 +30,7 @@ protected:
         ASSERT_FALSE(created);
         EXPECT_EQ(created.error().code, code) << created.error().message;
         if (fs::is_regular_file(path_)) {
-            EXPECT_EQ(test::read_file(path_), before);
+            EXPECT_TRUE(test::read_file(path_) == before);
         }
         EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
         EXPECT_FALSE(fs::exists(path_.string() + "-journal"));
@@ -93,7 +95,7 @@ TEST_F(ForeignFile, UnknownParametersAreDamage) {
     { ASSERT_TRUE(Store::create_or_open(path_, {})); }
     for (const char* sql : {"UPDATE parameters SET value = 'sideways' WHERE name = 'thinning'",
                             "UPDATE parameters SET value = '-3' WHERE name = 'resolution'",
-                            "INSERT INTO parameters VALUES ('colour', 'red')",
+                            "INSERT INTO parameters (name, value) VALUES ('colour', 'red')",
                             "DELETE FROM parameters WHERE name = 'pipeline'"}) {
         const std::string whole = test::read_file(path_);
         test::execute_sql(path_, sql);
@@ -170,9 +172,69 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
              "DELETE FROM statistics",
              "UPDATE evaluations SET report = x'00'",
              "UPDATE evaluations SET ranker = 'dice'",
-             "INSERT INTO failures VALUES ('/m/z.off', '', 'bad_luck', '', '')",
+             "INSERT INTO failures (path, content_hash, code, message, failed_at) "
+             "VALUES ('/m/z.off', '', 'bad_luck', '', '')",
              "PRAGMA foreign_keys = OFF; DELETE FROM models WHERE id = 2",
              "DELETE FROM state",
+         }) {
+        test::execute_sql(path_, sql);
+        test::seal_again(path_);  // not by its checksum alone
+        EXPECT_FALSE(findings().empty()) << sql;
+        test::write_file(path_, whole);
+    }
+    EXPECT_TRUE(findings().empty());
+}
+
+TEST_F(DamagedIndex, VerifyFindsChangedTextAndNumbersByTheirChecksums) {
+    const std::vector<Change> failure = {
+        RecordFailure{"/m/z.off", "", {ErrorCode::kFileUnreadable, "no"}}};
+    {
+        auto store = Store::open(path_, Access::kReadWrite);
+        ASSERT_TRUE(store->apply(failure));
+        ASSERT_TRUE(store->add_upload({"bytes", "up", "class"}, {}));
+    }
+    const std::string whole = test::read_file(path_);
+    EXPECT_TRUE(findings().empty());
+    for (const char* sql : {
+             "UPDATE models SET name = 'other' WHERE id = 2",
+             "UPDATE models SET path = '/m/other.off' WHERE id = 2",
+             "UPDATE models SET path = NULL WHERE id = 2",
+             "UPDATE models SET class = 'other' WHERE id = 2",
+             "UPDATE models SET warnings = '[]' WHERE id = 2",
+             "UPDATE models SET content_hash = CASE substr(content_hash, 1, 1) WHEN '0' THEN '1' "
+             "ELSE '0' END || substr(content_hash, 2) WHERE id = 2",
+             "UPDATE models SET vertices = vertices + 1 WHERE id = 2",
+             "UPDATE models SET max_x = max_x * 1.0000001 WHERE id = 2",
+             "UPDATE models SET surface_area = surface_area * 1.0000001 WHERE id = 2",
+             "UPDATE models SET indexed_at = '2020-01-01T00:00:00Z' WHERE id = 2",
+             "UPDATE models SET revision = 1 WHERE id = 2",
+             "UPDATE models SET checksum = checksum + 1 WHERE id = 2",
+             "UPDATE models SET checksum = NULL WHERE id = 2",
+             "UPDATE failures SET path = '/m/y.off'",
+             "UPDATE failures SET message = 'yes'",
+             "UPDATE parameters SET value = '95' WHERE name = 'resolution'",
+             "UPDATE state SET revision = revision + 1",
+             "UPDATE statistics SET revision = revision - 1",
+             "UPDATE evaluations SET pose = 0.25",
+             "UPDATE evaluations SET computed_at = ''",
+             "UPDATE uploads SET name = 'down'",
+             "UPDATE uploads SET attempts = 7",
+         }) {
+        test::execute_sql(path_, sql);
+        EXPECT_TRUE(test::read_file(path_) != whole) << sql;
+        EXPECT_FALSE(findings().empty()) << sql;
+        test::write_file(path_, whole);
+    }
+}
+
+TEST_F(DamagedIndex, VerifyKnowsTheSchema) {
+    const std::string whole = test::read_file(path_);
+    for (const char* sql : {
+             "DROP INDEX models_by_name",
+             "CREATE TABLE notes (text TEXT)",
+             "ALTER TABLE failures ADD COLUMN more TEXT",
+             "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = replace(sql, "
+             "'nodes >= 0', 'nodes >= 1') WHERE name = 'models'",
          }) {
         test::execute_sql(path_, sql);
         EXPECT_FALSE(findings().empty()) << sql;
@@ -231,6 +293,27 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
     test::write_file(path_, whole);
 }
 
+TEST_F(DamagedIndex, FlippedBytesThatChangeWhatTheIndexSaysAreFound) {
+    const std::string whole = test::read_file(path_);
+    const std::string text = test::index_text(path_);
+    std::mt19937_64 random(20260101);
+    int unseen = 0;
+    for (int flip = 0; flip < 300; ++flip) {
+        std::string damaged = whole;
+        const std::size_t at = random() % whole.size();
+        damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
+        test::write_file(path_, damaged);
+        auto store = Store::open(path_, Access::kInspect);
+        if (!store) continue;
+        const auto report = store->verify();
+        if (!report || !report->findings.empty()) continue;
+        // Space that nothing uses holds nothing.
+        ++unseen;
+        EXPECT_EQ(test::index_text(path_), text) << "byte " << at;
+    }
+    EXPECT_LT(unseen, 300);
+}
+
 TEST_F(DamagedIndex, TruncatedFilesGiveErrorsOrFindings) {
     const std::string whole = test::read_file(path_);
     const std::string text = test::index_text(path_);
@@ -267,6 +350,35 @@ TEST_P(OldVersion, IsMigratedWithItsModels) {
     const fs::path fresh = folder.path() / "fresh.index";
     { ASSERT_TRUE(Store::create_or_open(fresh, {})); }
     EXPECT_EQ(test::schema_text(path), test::schema_text(fresh));
+}
+
+TEST_P(OldVersion, IsVerifiedAsItStands) {
+    test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "old.index";
+    test::make_old_index(path, GetParam(), test::sample_model(3, "/m/a.off"));
+    const std::string before = test::read_file(path);
+    const auto findings = [&] {
+        auto store = Store::open(path, Access::kInspect);
+        EXPECT_TRUE(store) << store.error().message;
+        EXPECT_EQ(store->version(), GetParam());
+        const auto report = store->verify();
+        EXPECT_TRUE(report) << report.error().message;
+        EXPECT_EQ(report->version, GetParam());
+        EXPECT_EQ(report->models, 1U);
+        std::vector<std::string> texts;
+        for (const Finding& finding : report->findings) {
+            // It was made without.
+            if (finding.subject != "statistics") texts.push_back(finding.message);
+        }
+        return texts;
+    };
+    EXPECT_EQ(findings(), std::vector<std::string>());
+    EXPECT_TRUE(test::read_file(path) == before);
+    EXPECT_FALSE(fs::exists(path.string() + "-wal"));
+    EXPECT_FALSE(fs::exists(path.string() + "-shm"));
+    EXPECT_TRUE(test::read_file(path) == before);
+    test::execute_sql(path, "UPDATE skeletons SET skeleton = zeroblob(64)");
+    EXPECT_FALSE(findings().empty());
 }
 
 TEST_P(OldVersion, IsMigratedForReadersToo) {

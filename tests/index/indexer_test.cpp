@@ -399,28 +399,27 @@ TEST_F(IndexerTest, AddsToAnIndexThatAReaderHasOpen) {
     EXPECT_EQ(after->state().statistics, after->revision());
 }
 
-TEST_F(IndexerTest, TakesUploads) {
+TEST_F(IndexerTest, DescribesUploads) {
     test::write_sample_meshes(models_, 2);
-    Store store = open();
     const std::string bytes = test::read_file(models_ / "01_tree.off");
-    const auto id = index_one(store, {bytes, "my\ntree", "plant"});
-    ASSERT_TRUE(id) << id.error().message;
-    EXPECT_EQ(store.model(*id)->name, "mytree");
-    EXPECT_EQ(store.model(*id)->class_name, "plant");
-    EXPECT_EQ(*index_one(store, {bytes, "again", ""}), *id);
-    const std::string long_name = std::string(199, 'a') + "\xC3\xA9";
-    const auto other = index_one(store, {bytes + "# 2\n", long_name, ""});
-    ASSERT_TRUE(other) << other.error().message;
-    EXPECT_EQ(store.model(*other)->name, std::string(199, 'a')) << "cut before the character";
-    const auto latin = index_one(store, {bytes + "# 3\n", "b\xE4r\x7F", ""});
-    EXPECT_EQ(store.model(*latin)->name, "b\xEF\xBF\xBDr");
-    EXPECT_EQ(store.model(*index_one(store, {bytes + "# 4\n", "\n\t", ""}))->name, "model");
-    test::expect_sound(store);
-    const auto bad = index_one(store, {"OFF\n3 1 0\n", "bad", ""});
+    const auto model = describe_upload({bytes, "my\ntree", "plant"}, test::kCoarse);
+    ASSERT_TRUE(model) << model.error().message;
+    EXPECT_EQ(model->summary.name, "mytree");
+    EXPECT_EQ(model->summary.class_name, "plant");
+    EXPECT_EQ(model->summary.path, "");
+    EXPECT_TRUE(model->segments);
+    const auto bad = describe_upload({"OFF\n3 1 0\n", "bad", ""}, test::kCoarse);
     ASSERT_FALSE(bad);
     EXPECT_EQ(bad.error().code, ErrorCode::kOffTruncated);
-    EXPECT_TRUE(store.failures()->empty());
-    EXPECT_EQ(store.models()->total, 4U);
+    const auto name_of = [&](const std::string& name) {
+        const auto named = describe_upload({bytes, name, ""}, test::kCoarse);
+        EXPECT_TRUE(named) << named.error().message;
+        return named ? named->summary.name : std::string();
+    };
+    EXPECT_EQ(name_of(std::string(199, 'a') + "\xC3\xA9"), std::string(199, 'a'))
+        << "cut before the character";
+    EXPECT_EQ(name_of("b\xE4r\x7F"), "b\xEF\xBF\xBDr");
+    EXPECT_EQ(name_of("\n\t"), "model");
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "index/codec.h"
 #include "index/content_hash.h"
 #include "index/migrations.h"
+#include "index/store_checksum.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary::test {
@@ -164,15 +165,16 @@ void write_sample_meshes(const fs::path& folder, int count) {
 std::string index_text(const fs::path& path) {
     SQLite::Database database(path.string(), SQLite::OPEN_READONLY);
     std::string text;
-    for (const std::string table : {"parameters", "state", "models", "signatures", "descriptors",
-                                    "skeletons", "branches", "previews", "segments", "thumbnails",
-                                    "orientations", "failures", "statistics", "evaluations"}) {
+    for (const std::string table :
+         {"parameters", "state", "models", "signatures", "descriptors", "skeletons", "branches",
+          "previews", "segments", "thumbnails", "failures", "statistics", "evaluations", "uploads",
+          "upload_pieces"}) {
         text += "== " + table + "\n";
         SQLite::Statement rows(database, "SELECT * FROM " + table + " ORDER BY 1, 2");
         while (rows.executeStep()) {
             for (int column = 0; column < rows.getColumnCount(); ++column) {
                 const std::string name = rows.getColumnName(column);
-                if (name == "indexed_at" || name == "failed_at" || name == "computed_at") continue;
+                if (name.ends_with("_at") || name == "checksum") continue;
                 const SQLite::Column value = rows.getColumn(column);
                 text += name + "=";
                 if (value.isBlob()) {
@@ -198,14 +200,47 @@ void execute_sql(const fs::path& path, const std::string& sql) {
     database.exec(sql);
 }
 
+namespace {
+
+void seal_all(SQLite::Database& database) {
+    index::add_checksum_function(database);
+    for (const index::ChecksummedTable& table : index::checksummed_tables()) {
+        database.exec("UPDATE " + std::string(table.table) + " SET checksum = NULL");
+    }
+    index::seal_unsealed_rows(database);
+}
+
+}  // namespace
+
+void leave_log_behind(const fs::path& path, const std::string& sql) {
+    // Not a child that is killed: a copy of what such a one would leave, taken while it is there.
+    {
+        SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, 5000);
+        database.exec("PRAGMA wal_autocheckpoint = 0");
+        database.exec(sql);
+        seal_all(database);
+        fs::copy_file(path, path.string() + ".copy");
+        fs::copy_file(path.string() + "-wal", path.string() + ".copy-wal");
+    }
+    fs::rename(path.string() + ".copy", path);
+    fs::rename(path.string() + ".copy-wal", path.string() + "-wal");
+}
+
+void seal_again(const fs::path& path) {
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, 5000);
+    seal_all(database);
+}
+
 void make_database(const fs::path& path, const std::string& sql) {
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     database.exec(sql);
 }
 
 void make_old_index(const fs::path& path, int version, const index::NewModel& model) {
-    make_database(path, "PRAGMA application_id = 0x4F535359; PRAGMA user_version = " +
-                            std::to_string(version));
+    make_database(
+        path,
+        "PRAGMA journal_mode = WAL; PRAGMA application_id = 0x4F535359; PRAGMA user_version = " +
+            std::to_string(version));
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE);
     for (const index::Migration& migration : index::migrations()) {
         if (migration.version <= version) database.exec(std::string(migration.sql));
@@ -214,17 +249,17 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
     const int pipeline =
         with_segments ? index::kPipelineVersion : index::kFirstPipelineWithSegments - 1;
     database.exec(
-        "INSERT INTO parameters VALUES ('resolution', '96'), ('thinning', 'anchored'), "
-        "('pipeline', '" +
+        "INSERT INTO parameters (name, value) VALUES ('resolution', '96'), "
+        "('thinning', 'anchored'), ('pipeline', '" +
         std::to_string(pipeline) + "'); UPDATE state SET revision = 1;");
     const std::size_t nodes = model.skeleton.nodes.size();
     const std::size_t branches = model.skeleton.branches.size();
     SQLite::Statement row(
         database,
-        "INSERT INTO models (id, path, name, class, content_hash, vertices, faces, nodes, "
-        "branches, min_x, min_y, min_z, max_x, max_y, max_z, surface_area, warnings, indexed_at, "
-        "revision) VALUES (1, ?, ?, '', ?, 3, 1, ?, ?, 0, 0, 0, 1, 1, 1, 2.5, '[]', "
-        "'2026-01-01T00:00:00Z', 1)");
+        "INSERT INTO models (id, path, name, content_hash, nodes, branches, vertices, faces, "
+        "min_x, "
+        "min_y, min_z, max_x, max_y, max_z, surface_area, warnings, indexed_at, revision) VALUES "
+        "(1, ?, ?, ?, ?, ?, 3, 1, 0, 0, 0, 1, 1, 1, 2.5, '[]', '2026-01-01T00:00:00Z', 1)");
     row.bind(1, model.summary.path);
     row.bind(2, model.summary.name);
     row.bind(3, model.summary.content_hash);
@@ -258,6 +293,10 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
         statement.bind(4, branch.length());
         statement.bind(5, model.descriptor.skeleton.branches[i].chain_code);
         statement.exec();
+    }
+    if (version >= index::kFirstVersionWithUploads) {
+        index::add_checksum_function(database);
+        index::seal_unsealed_rows(database);
     }
 }
 

@@ -42,6 +42,12 @@ std::string without_revisions(const std::string& text);
 /// Runs SQL on the file behind the store's back.
 void execute_sql(const std::filesystem::path& path, const std::string& sql);
 
+/// The same by a program that is killed afterwards: what it wrote is in the log.
+void leave_log_behind(const std::filesystem::path& path, const std::string& sql);
+
+/// Makes the checksums of all rows right again after `execute_sql`.
+void seal_again(const std::filesystem::path& path);
+
 /// A database that is not an index.
 void make_database(const std::filesystem::path& path, const std::string& sql);
 

@@ -373,9 +373,46 @@ TEST_F(StoreTest, IsOneFileOnceItIsClosed) {
     EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
     const fs::path copy = folder_.path() / "copy with ? and %41 # in it.index";
     fs::copy_file(path_, copy);
-    auto store = Store::open(copy, Access::kReadOnly);
-    ASSERT_TRUE(store) << store.error().message;
-    EXPECT_EQ(store->models()->total, 1U);
+    for (const Access access : {Access::kReadOnly, Access::kInspect, Access::kReadWrite}) {
+        const std::string before = test::read_file(copy);
+        {
+            auto store = Store::open(copy, access);
+            ASSERT_TRUE(store) << store.error().message;
+            EXPECT_EQ(store->models()->total, 1U);
+            EXPECT_TRUE(fs::exists(copy.string() + "-wal")) << "while it is open";
+        }
+        EXPECT_FALSE(fs::exists(copy.string() + "-wal"));
+        EXPECT_FALSE(fs::exists(copy.string() + "-shm"));
+        EXPECT_TRUE(test::read_file(copy) == before);
+    }
+}
+
+TEST_F(StoreTest, ReadersFoldInTheLogOfAProgramThatWasKilled) {
+    {
+        Store store = make();
+        ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
+        ASSERT_TRUE(store.put_statistics({{1.0}}, *store.revision()));
+    }
+    test::leave_log_behind(path_, "UPDATE models SET class = 'late'");
+    ASSERT_GT(fs::file_size(path_.string() + "-wal"), 0U);
+    const std::string log = test::read_file(path_.string() + "-wal");
+    const std::string before = test::read_file(path_);
+    {
+        auto store = Store::open(path_, Access::kInspect);
+        ASSERT_TRUE(store);
+        EXPECT_EQ(store->model(1)->class_name, "late");
+        test::expect_sound(*store);
+    }
+    EXPECT_TRUE(test::read_file(path_) == before) << "an inspection leaves all as it is";
+    EXPECT_TRUE(test::read_file(path_.string() + "-wal") == log);
+    {
+        auto store = Store::open(path_, Access::kReadOnly);
+        ASSERT_TRUE(store);
+        EXPECT_EQ(store->model(1)->class_name, "late");
+    }
+    EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
+    EXPECT_FALSE(fs::exists(path_.string() + "-shm"));
+    EXPECT_EQ(Store::open(path_, Access::kReadOnly)->model(1)->class_name, "late");
 }
 
 }  // namespace

@@ -279,7 +279,7 @@ TEST_F(Search, SeesModelsThatAreIndexedMeanwhile) {
 TEST_F(Search, FinishesASearchThatIsUnderWayWhenStopped) {
     RawClient client(server_.port());
     client.send(post("/v1/search", tree()));
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
     server_.stop();
     const RawAnswer answer = client.receive();
     EXPECT_EQ(answer.status, 200);

@@ -3,7 +3,8 @@ import { chromium } from 'playwright-core';
 
 const kUsage = `Usage: npm run screenshot -- URL OUT.png [--dark] [--width N] [--height N] [--scale N] [--full]
 
-The page counts as ready when nothing is being loaded and no skeleton card is left.
+The page counts as ready when nothing is being loaded, no skeleton card is left and every 3D picture is
+drawn.
 Example: npm run screenshot -- 'http://127.0.0.1:8080/#/models/1/hits/2' viewer.png --dark`;
 
 function parse(words) {
@@ -53,7 +54,10 @@ try {
     });
     await page.goto(options.url, { waitUntil: 'networkidle' });
     await page.waitForFunction(
-        () => !document.querySelector('[aria-busy], .card-loading, .curve-loading, .working'),
+        () =>
+            !document.querySelector(
+                '[aria-busy], .card-loading, .curve-loading, .working, [data-picture=pending]',
+            ),
         undefined,
         { timeout: 120_000 },
     );
@@ -65,8 +69,6 @@ try {
                 picture.getBoundingClientRect().top > innerHeight,
         ),
     );
-    // The first frame of the 3D view.
-    await page.waitForTimeout(600);
     await page.screenshot({ path: options.out, fullPage: options.full });
 } finally {
     await browser.close();

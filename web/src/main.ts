@@ -9,7 +9,7 @@ import './styles/results.css';
 import './styles/viewer.css';
 import './styles/parts.css';
 import './styles/reports.css';
-import { startApp } from './page/app';
+import { startApp } from './app';
 
 const root = document.getElementById('app');
 if (root) {

@@ -1,4 +1,4 @@
-import type { Segments } from '../src/api/types';
+import type { Segments, Vector } from '../src/api/types';
 
 /**
  * A rigged model as the server writes it: two triangles along x, each a part with a bone of its
@@ -38,6 +38,15 @@ function bytesOf(view: ArrayBufferView): Uint8Array {
     return new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
 }
 
+export interface RigFileOptions {
+    withBranches: boolean;
+    /** The vertices' zero in the file's frame: the translation of a node above bones and mesh. */
+    origin: Vector | null;
+}
+
+const kDefaults: RigFileOptions = { withBranches: true, origin: null };
+
+/** The bones, and the mesh after them. */
 function nodes(withBranches: boolean): object[] {
     const model = { name: 'model', mesh: 0, skin: 0 };
     return withBranches
@@ -51,7 +60,8 @@ function nodes(withBranches: boolean): object[] {
         : [{ name: 'root' }, model];
 }
 
-export function rigFile(withBranches = true): ArrayBuffer {
+export function rigFile(options: Partial<RigFileOptions> = {}): ArrayBuffer {
+    const { withBranches, origin } = { ...kDefaults, ...options };
     const views: object[] = [];
     const accessors: object[] = [];
     const chunks: Uint8Array[] = [];
@@ -94,6 +104,8 @@ export function rigFile(withBranches = true): ArrayBuffer {
         return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, along, 0, 0, 1];
     });
     const inverseBindMatrices = add(new Float32Array(binds.flat()), 5126, 'MAT4', bones);
+    const roots = [0, all.length - 1];
+    const placed = origin ? [...all, { translation: origin, children: roots }] : all;
     const document = {
         asset: { version: '2.0' },
         buffers: [{ byteLength: length }],
@@ -101,11 +113,11 @@ export function rigFile(withBranches = true): ArrayBuffer {
         accessors,
         materials: [{ name: 'part 0' }, { name: 'part 1' }],
         meshes: [{ primitives }],
-        nodes: all,
+        nodes: placed,
         skins: [
             { joints: all.slice(0, -1).map((_, bone) => bone), inverseBindMatrices, skeleton: 0 },
         ],
-        scenes: [{ nodes: [0, all.length - 1] }],
+        scenes: [{ nodes: origin ? [all.length] : roots }],
         scene: 0,
     };
     const text = new TextEncoder().encode(JSON.stringify(document));

@@ -1,23 +1,18 @@
+import { vi } from 'vitest';
+
 import type { Client } from '../src/api/client';
-import type {
-    Evaluation,
-    Hit,
-    ModelSummary,
-    Point,
-    PreviewMesh,
-    SearchResult,
-    Skeleton,
-} from '../src/api/types';
+import type { ModelSummary, PreviewMesh } from '../src/api/elements';
+import type { Evaluation, Hit, SearchResult, Skeleton, Vector } from '../src/api/types';
 import type { Context } from '../src/page/context';
 import { KnownClasses } from '../src/page/known_classes';
 
 /** Small answers in the server's shapes, for tests that are not about their contents. */
 
-export function skeleton(lines: readonly Point[][]): Skeleton {
+export function skeleton(lines: readonly Vector[][]): Skeleton {
     const nodes = lines.flatMap((line, index) =>
         [line[0], line.at(-1)].map((position, end) => ({
             id: 2 * index + end,
-            position: position ?? ([0, 0, 0] as Point),
+            position: position ?? ([0, 0, 0] as Vector),
             radius: 0.1,
             degree: 1,
             significance: 1,
@@ -69,6 +64,12 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
         surface_area: 1,
         indexed_at: '2026-01-01T00:00:00Z',
         warnings: [],
+        links: {
+            mesh: `/v1/models/${id}/mesh`,
+            skeleton: `/v1/models/${id}/skeleton`,
+            similar: `/v1/models/${id}/similar`,
+            thumbnail: `/v1/models/${id}/thumbnail.png`,
+        },
         ...fields,
     };
 }
@@ -98,6 +99,7 @@ export function searchResult(hits: Hit[] = [hit(1), hit(2)]): SearchResult {
         ranker: 'hybrid',
         pose: 0.15,
         rerank: false,
+        part: false,
         models: 380,
         query: {
             name: 'elephant',
@@ -192,6 +194,11 @@ export async function settled(): Promise<void> {
         await Promise.resolve();
     }
     await new Promise((resolve) => setTimeout(resolve, 0));
+}
+
+/** Until a check holds; on a busy machine a module alone may take seconds to arrive. */
+export function eventually(check: () => void): Promise<void> {
+    return vi.waitFor(check, { timeout: 120_000 });
 }
 
 /** Numbers that look random and are the same at each run. */

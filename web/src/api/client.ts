@@ -1,15 +1,7 @@
+import type { ModelSummary, PreviewMesh } from './elements';
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
 import { encodeSearch, type SearchParameters } from './search_parameters';
-import type {
-    Evaluation,
-    ModelPage,
-    ModelSummary,
-    PreviewMesh,
-    Ranker,
-    SearchResult,
-    Segments,
-    Skeleton,
-} from './types';
+import type { Evaluation, ModelPage, Ranker, SearchResult, Segments, Skeleton } from './types';
 
 export interface ClientOptions {
     /** Before every path; empty: the page's own origin. */

@@ -1,5 +1,11 @@
 import type { Problem } from './types';
 
+/** What the page knows of a request that failed; its own failures have codes of their own. */
+export type KnownProblem = Pick<Problem, 'title' | 'status' | 'detail'> & {
+    code: string;
+    request_id?: string;
+};
+
 /**
  * Any request that did not end in the answer asked for. `code` is the server's stable code, or one
  * of the page's own where no problem document arrived: `unreachable`, `unexpected_answer`.
@@ -10,7 +16,7 @@ export class ApiError extends Error {
     readonly title: string;
     readonly requestId: string | undefined;
 
-    constructor(problem: Problem) {
+    constructor(problem: KnownProblem) {
         super(problem.detail || problem.title);
         this.name = 'ApiError';
         this.code = problem.code;
@@ -29,7 +35,7 @@ function text(value: unknown): string {
 }
 
 /** Takes a body of any kind, since a proxy or a crashed server may answer anything. */
-export function problemFrom(status: number, body: unknown, requestId?: string): Problem {
+export function problemFrom(status: number, body: unknown, requestId?: string): KnownProblem {
     const fields = isRecord(body) ? body : {};
     const id = text(fields.request_id) || requestId;
     return {

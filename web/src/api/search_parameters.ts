@@ -1,4 +1,5 @@
-import { kRankers, type Ranker } from './types';
+import { kRankers } from './elements';
+import type { Ranker } from './types';
 
 /** What a search may be asked for; the same names in the page's address and in the request. */
 export interface SearchParameters {

@@ -1,184 +1,1583 @@
-/**
- * The JSON that the server speaks, field by field as it is sent. Units are those of the model's file
- * unless a name says otherwise.
- */
+// Written by `npm run api` from server/openapi.yaml: change that one.
 
-export type Point = [number, number, number];
-
-export interface Bounds {
-    min: Point;
-    max: Point;
+export interface paths {
+    "/v1/search": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rank the collection against an uploaded model
+         * @description The body is a model file (today: OFF and its relatives), raw or as the field `model` of a
+         *     multipart form; the format follows the contents. Nothing is stored.
+         */
+        post: operations["search"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** List the models, in the order of their ids */
+        get: operations["listModels"];
+        put?: never;
+        /**
+         * Add a model to the collection
+         * @description Queues the model for indexing and answers once it is safe on the disk; follow `Location` for the
+         *     outcome, also after a restart of the server. A model that takes longer than `--model-timeout`
+         *     fails with `cancelled`, one in whose middle the server ended three times with
+         *     `upload_abandoned`. A model
+         *     whose contents are already in the collection is not added twice: the job names the model that is
+         *     there.
+         */
+        post: operations["addModel"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /** One model */
+        get: operations["getModel"];
+        put?: never;
+        post?: never;
+        /**
+         * Remove a model from the collection
+         * @description The file that the model was read from is not touched.
+         */
+        delete: operations["removeModel"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/similar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * Rank the collection against one of its models
+         * @description The model itself is not among the hits.
+         */
+        get: operations["similarModels"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/mesh": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /** The model's preview mesh, at most 2,000 triangles */
+        get: operations["modelMesh"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/skeleton": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /** The model's refined skeleton with its chain codes */
+        get: operations["modelSkeleton"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/segments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The model's parts
+         * @description The parts that people would see, as labels of the triangles of `/mesh`. They are those of
+         *     the whole model, found when it was indexed: number, areas and neighbours are the whole
+         *     mesh's. `segments_not_available` where it could not be cut, with the reason.
+         */
+        get: operations["modelSegments"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/rig.glb": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The model with joints to move it by
+         * @description A binary glTF 2.0 file of the mesh of `/mesh`, a primitive and a colour for each part of
+         *     `/segments`, skinned by the skeleton of `/skeleton`: a joint `branch N` for each branch, where it
+         *     leaves the side of the thickest node (`root`), and a `tip of branch N` at each end. Computed when
+         *     asked for; `segments_not_available` where the model has no `/segments`.
+         */
+        get: operations["modelRig"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/thumbnail.png": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /** A picture of the model */
+        get: operations["modelThumbnail"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/compare": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The distance of two models, its parts, and what matches what */
+        get: operations["compareModels"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/evaluations": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** The evaluations that are at hand for the collection as it is */
+        get: operations["listEvaluations"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/evaluations/{ranker}": {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        /**
+         * Retrieval quality of one ranker over the collection's classes
+         * @description Leave-one-out over the models whose class has at least two members, as in the Princeton Shape
+         *     Benchmark. Computed on the first request and kept until the collection changes. There is none
+         *     (404 `evaluation_not_found`) where fewer than two classes have two models, or where the
+         *     collection is too large for the server to compute it; `ossuary evaluate` can.
+         */
+        get: operations["getEvaluation"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/evaluations/{ranker}.csv": {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        /** The precision-recall curve as a table */
+        get: operations["getEvaluationTable"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/evaluations/{ranker}.svg": {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        /** The precision-recall curve as a picture */
+        get: operations["getEvaluationPlot"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/jobs/{id}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The job's number. */
+                id: components["schemas"]["Id"];
+            };
+            cookie?: never;
+        };
+        /**
+         * How far an added model has come
+         * @description Jobs are kept in the index: one that was accepted is done after a restart too, and its outcome
+         *     is told until a thousand later ones have finished. Numbers are never given twice.
+         */
+        get: operations["getJob"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/livez": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Whether the process answers */
+        get: operations["live"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/readyz": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Whether the server can answer searches */
+        get: operations["ready"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/metrics": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** Metrics in the Prometheus text format */
+        get: operations["metrics"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/openapi.yaml": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /** This description */
+        get: operations["describe"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/{file}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Empty for the start page, or the path of one of the gallery's files. */
+                file: string;
+            };
+            cookie?: never;
+        };
+        /** The gallery's pages and files */
+        get: operations["gallery"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
 }
-
-export interface Warning {
-    code: string;
-    count: number;
-    message: string;
+export type webhooks = Record<string, never>;
+export interface components {
+    schemas: {
+        /** Format: int64 */
+        Id: number;
+        /** @enum {string} */
+        Ranker: "hybrid" | "skeleton" | "chain-code";
+        Vector: [
+            number,
+            number,
+            number
+        ];
+        Bounds: {
+            min: components["schemas"]["Vector"];
+            max: components["schemas"]["Vector"];
+        };
+        /** @description Something odd about a mesh that does not keep it from being used. */
+        Warning: {
+            code: string;
+            count: number;
+            message: string;
+        };
+        Model: {
+            id: components["schemas"]["Id"];
+            /** @example elephant */
+            name: string;
+            /** @example fourleg */
+            class: string | null;
+            /** @description As it was indexed. */
+            path: string;
+            content_hash: string;
+            vertices: number;
+            /** @description Polygons in the file. */
+            faces: number;
+            /** @description Of the skeleton. */
+            nodes: number;
+            /** @description Of the skeleton. */
+            branches: number;
+            bounds: components["schemas"]["Bounds"];
+            surface_area: number;
+            /** Format: date-time */
+            indexed_at: string;
+            warnings: components["schemas"]["Warning"][];
+            links: {
+                mesh: string;
+                skeleton: string;
+                similar: string;
+                thumbnail: string;
+            };
+        };
+        ModelPage: {
+            models: components["schemas"]["Model"][];
+            /** @description Null on the last page. */
+            next_cursor: string | null;
+            /** @description Models that fit the filters, on all pages. */
+            total: number;
+            /** @description Grows whenever the collection changes. */
+            revision: number;
+        };
+        Mesh: {
+            /** @description x, y, z of each vertex. */
+            positions: number[];
+            /** @description Three vertex indices each. */
+            triangles: number[];
+            bounds: components["schemas"]["Bounds"];
+        };
+        Skeleton: {
+            /** @constant */
+            unit: "model";
+            nodes: {
+                id: number;
+                position: components["schemas"]["Vector"];
+                /** @description Of the largest inscribed ball. */
+                radius: number;
+                degree: number;
+                significance: number;
+            }[];
+            branches: {
+                id: number;
+                /** @description Node where the branch starts. */
+                a: number;
+                /** @description Node where it ends. */
+                b: number;
+                length: number;
+                points: components["schemas"]["Vector"][];
+                /** @description One for each point. */
+                radii: number[];
+                chain_code: string;
+            }[];
+        };
+        Segments: {
+            parts: {
+                part: number;
+                /** @description To show it in, #rrggbb. */
+                colour: string;
+                /** @description Of `/mesh`. */
+                triangles: number;
+                /** @description Of the whole model, in model units squared. */
+                area: number;
+                area_share: number;
+                /** @description Of `/skeleton` that most of it belongs to. */
+                branch: number | null;
+                /** @description Parts that share a border with it. */
+                neighbors: number[];
+            }[];
+            /** @description The part of each triangle of `/mesh`. */
+            labels: number[];
+        };
+        /** @description What belongs together; `a` is the query's or first model's, `b` the hit's or second's. */
+        Match: {
+            nodes: components["schemas"]["Pair"][];
+            branches: components["schemas"]["Pair"][];
+            /** @description Sizes of the connected groups of matched nodes, largest first. */
+            cluster_sizes: number[];
+        };
+        Pair: {
+            a: number;
+            b: number;
+            cost: number;
+        };
+        /** @description Named shares of the distance. */
+        Parts: {
+            [key: string]: number;
+        };
+        Hit: {
+            rank: number;
+            id: components["schemas"]["Id"];
+            name: string;
+            class: string | null;
+            distance: number;
+            parts: components["schemas"]["Parts"];
+            /** @description Matched pairs of nodes. */
+            matched_nodes: number;
+            match: components["schemas"]["Match"];
+        };
+        SearchResult: {
+            took_ms: number;
+            /** @description Milliseconds by stage of the pipeline. */
+            stages_ms: {
+                [key: string]: number;
+            };
+            ranker: components["schemas"]["Ranker"];
+            pose: number;
+            rerank: boolean;
+            part: boolean;
+            /** @description Models in the collection that was searched. */
+            models: number;
+            /** @description Of the collection that was searched. */
+            revision?: number;
+            query: {
+                name: string;
+                vertices: number;
+                faces: number;
+                warnings: components["schemas"]["Warning"][];
+                skeleton: components["schemas"]["Skeleton"];
+                /** @description With `include=mesh` only. */
+                mesh?: components["schemas"]["Mesh"];
+            };
+            hits: components["schemas"]["Hit"][];
+        };
+        Comparison: {
+            a: components["schemas"]["Model"];
+            b: components["schemas"]["Model"];
+            ranker: components["schemas"]["Ranker"];
+            pose?: number;
+            part: boolean;
+            distance: number;
+            parts: components["schemas"]["Parts"];
+            matched_nodes: number;
+            match: components["schemas"]["Match"];
+            skeletons: {
+                a: components["schemas"]["Skeleton"];
+                b: components["schemas"]["Skeleton"];
+            };
+        };
+        EvaluationList: {
+            evaluations: {
+                ranker: components["schemas"]["Ranker"];
+                rerank: boolean;
+                models: number;
+                classes: number;
+                /**
+                 * Format: date-time
+                 * @description Null until it has been asked for.
+                 */
+                computed_at: string | null;
+                links: {
+                    json: string;
+                    csv: string;
+                    svg: string;
+                };
+            }[];
+        };
+        /** @description The Princeton Shape Benchmark's measures, each from 0 to 1. */
+        Metrics: {
+            nearest_neighbor: number;
+            first_tier: number;
+            second_tier: number;
+            e_measure: number;
+            dcg: number;
+            mean_average_precision: number;
+        };
+        Evaluation: components["schemas"]["Metrics"] & {
+            models: number;
+            classes: number;
+            ranker: components["schemas"]["Ranker"];
+            rerank: boolean;
+            pose?: number;
+            /** @description Of the collection that was evaluated. */
+            revision?: number;
+            /** Format: date-time */
+            computed_at?: string;
+            /** @description Models that the classification names and the collection does not hold. */
+            missing?: string[];
+            /** @description Means over classes, each class with the same weight. */
+            macro_mean?: components["schemas"]["Metrics"];
+            precision_recall: {
+                recall: number;
+                precision: number;
+            }[];
+            per_class: {
+                [key: string]: components["schemas"]["Metrics"] & {
+                    models: number;
+                };
+            };
+            confusion: {
+                classes: string[];
+                /** @description Row i, column j is the share of class i whose nearest neighbour is of class j. */
+                values: number[][];
+            };
+        };
+        Job: {
+            id: components["schemas"]["Id"];
+            /** @enum {string} */
+            state: "queued" | "running" | "done" | "failed";
+            /** @description The model's id once it is in the collection. */
+            model: number | null;
+            error: {
+                code: string;
+                message: string;
+            } | null;
+        };
+        Health: {
+            /** @constant */
+            status: "ok";
+        };
+        /** @description RFC 9457. */
+        Problem: {
+            /** @constant */
+            type: "about:blank";
+            title: string;
+            status: number;
+            /** @example line 3: expected 3 numbers, found 2 */
+            detail: string;
+            code: components["schemas"]["ProblemCode"];
+            /** @description The path that was asked for. */
+            instance: string;
+            request_id: string;
+            /** @description The parameter that is wrong, where one is. */
+            parameter?: string;
+        };
+        /**
+         * @description Stable; new ones may be added.
+         * @enum {string}
+         */
+        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "volume_too_large" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
+    };
+    responses: {
+        /** @description What `If-None-Match` names is still true. */
+        NotModified: {
+            headers: {
+                ETag: components["headers"]["ETag"];
+                [name: string]: unknown;
+            };
+            content?: never;
+        };
+        /**
+         * @description The request is malformed, or a parameter is unknown, repeated or out of range
+         *     (`parameter_unknown`, `parameter_repeated`, `parameter_missing`, `parameter_invalid`).
+         */
+        BadRequest: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description The administrator's key is missing (`admin_key_missing`) or wrong (`admin_key_wrong`). */
+        Unauthorized: {
+            headers: {
+                "WWW-Authenticate"?: "Bearer realm=\"ossuary\"";
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description The server has no administrator's key (`admin_disabled`), or another site's page sent the request
+         *     (`cross_site_request`).
+         */
+        Forbidden: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description `route_not_found`, `model_not_found`, `job_not_found`, `evaluation_not_found`,
+         *     `segments_not_available`, `thumbnail_not_available` or `file_not_served`.
+         */
+        NotFound: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description The request did not arrive in time (`request_timeout`). */
+        RequestTimeout: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /** @description A body needs a `Content-Length` and no `Transfer-Encoding` (`length_required`). */
+        LengthRequired: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description The body is longer than the server takes (`payload_too_large`), or the model has more vertices,
+         *     faces or corners than it takes (`off_too_many_vertices`, …).
+         */
+        TooLarge: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description The content type (`media_type_unsupported`), a content encoding (`content_encoding_unsupported`)
+         *     or the model's format (`format_unknown`, `format_unsupported`).
+         */
+        UnsupportedMediaType: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description The model cannot be read or has no skeleton; `detail` names the line and what was expected
+         *     (`off_truncated`, `off_bad_number`, `mesh_empty`, …).
+         */
+        UnusableModel: {
+            headers: {
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+        /**
+         * @description Too much to do (`overloaded`), out of time (`search_timeout`), the index is busy (`index_busy`), or the
+         *     server is shutting down (`shutting_down`). `Retry-After` says when to come back.
+         */
+        Unavailable: {
+            headers: {
+                /** @description Seconds. */
+                "Retry-After"?: number;
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
+    };
+    parameters: {
+        /** @description The model's id. */
+        ModelId: components["schemas"]["Id"];
+        /** @description The most hits to answer with. */
+        Limit: number;
+        /** @description How distances are measured. */
+        Ranker: components["schemas"]["Ranker"];
+        RankerInPath: components["schemas"]["Ranker"];
+        /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+        Pose: number;
+        /** @description Only models of this class. */
+        Class: string;
+        /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
+        Name: string;
+        /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+        Rerank: boolean;
+        /**
+         * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
+         *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
+         *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+         */
+        Part: boolean;
+    };
+    requestBodies: {
+        /** @description A model file with a `Content-Length`. Chunked and compressed bodies are refused (411, 415). */
+        Model: {
+            content: {
+                "application/octet-stream": unknown;
+                "text/plain": unknown;
+                "model/*": unknown;
+                "multipart/form-data": {
+                    model: string;
+                };
+            };
+        };
+    };
+    headers: {
+        /**
+         * @description Names this request in the server's log. The request's own `X-Request-Id` if that is 1 to 64
+         *     letters, digits, `.`, `_` or `-`.
+         */
+        RequestId: string;
+        /** @description Send it as `If-None-Match` to get 304 while nothing has changed. */
+        ETag: string;
+    };
+    pathItems: never;
 }
-
-export interface ModelSummary {
-    id: number;
-    name: string;
-    class: string | null;
-    path: string;
-    content_hash: string;
-    vertices: number;
-    faces: number;
-    nodes: number;
-    branches: number;
-    bounds: Bounds;
-    surface_area: number;
-    indexed_at: string;
-    warnings: Warning[];
-}
-
-export interface ModelPage {
-    models: ModelSummary[];
-    next_cursor: string | null;
-    total: number;
-    revision: number;
-}
-
-export interface SkeletonNode {
-    id: number;
-    position: Point;
-    radius: number;
-    degree: number;
-    significance: number;
-}
-
-export interface SkeletonBranch {
-    id: number;
-    a: number;
-    b: number;
-    length: number;
-    points: Point[];
-    radii: number[];
-    chain_code: string;
-}
-
-export interface Skeleton {
-    unit: string;
-    nodes: SkeletonNode[];
-    branches: SkeletonBranch[];
-}
-
-/** At most a few thousand triangles: what the index keeps for drawing. */
-export interface PreviewMesh {
-    positions: number[];
-    triangles: number[];
-    bounds: Bounds;
-}
-
-export interface SegmentPart {
-    part: number;
-    /** `#rrggbb`. */
-    colour: string;
-    triangles: number;
-    area: number;
-    /** Of the whole surface, 0 to 1. */
-    area_share: number;
-    /** Of the model's skeleton; null without one. */
-    branch: number | null;
-    neighbors: number[];
-}
-
-/** The parts that people would see, by descending area. */
-export interface Segments {
-    parts: SegmentPart[];
-    /** The part of each triangle of the preview mesh. */
-    labels: number[];
-}
-
-export interface MatchedPair {
-    /** Id on the query's side. */
-    a: number;
-    /** Id on the hit's side. */
-    b: number;
-    cost: number;
-}
-
-export interface Correspondence {
-    nodes: MatchedPair[];
-    branches: MatchedPair[];
-    cluster_sizes: number[];
-}
-
-export interface Hit {
-    rank: number;
-    id: number;
-    name: string;
-    class: string | null;
-    distance: number;
-    parts: Record<string, number>;
-    matched_nodes: number;
-    match: Correspondence;
-}
-
-export type Ranker = 'hybrid' | 'skeleton' | 'chain-code';
-
-export const kRankers: readonly Ranker[] = ['hybrid', 'skeleton', 'chain-code'];
-
-export interface QueryModel {
-    name: string;
-    vertices: number;
-    faces: number;
-    warnings: Warning[];
-    skeleton: Skeleton;
-    mesh?: PreviewMesh;
-}
-
-export interface SearchResult {
-    took_ms: number;
-    stages_ms: Record<string, number>;
-    ranker: Ranker;
-    pose: number;
-    rerank: boolean;
-    models: number;
-    query: QueryModel;
-    hits: Hit[];
-}
-
-export interface RetrievalMetrics {
-    nearest_neighbor: number;
-    first_tier: number;
-    second_tier: number;
-    e_measure: number;
-    dcg: number;
-    mean_average_precision: number;
-}
-
-export interface PrecisionRecallPoint {
-    recall: number;
-    precision: number;
-}
-
-export interface ClassMetrics extends RetrievalMetrics {
-    models: number;
-}
-
-export interface Confusion {
-    classes: string[];
-    /** Row: class of the query; column: class of its nearest neighbour; a share of 0 to 1. */
-    values: number[][];
-}
-
-export interface Evaluation extends RetrievalMetrics {
-    models: number;
-    classes: number;
-    ranker: Ranker;
-    rerank: boolean;
-    precision_recall: PrecisionRecallPoint[];
-    per_class: Record<string, ClassMetrics>;
-    confusion: Confusion;
-}
-
-/** RFC 9457 problem document with the project's stable `code`. */
-export interface Problem {
-    title: string;
-    status: number;
-    detail: string;
-    code: string;
-    instance?: string;
-    request_id?: string;
+export type Id = components['schemas']['Id'];
+export type Ranker = components['schemas']['Ranker'];
+export type Vector = components['schemas']['Vector'];
+export type Bounds = components['schemas']['Bounds'];
+export type Warning = components['schemas']['Warning'];
+export type Model = components['schemas']['Model'];
+export type ModelPage = components['schemas']['ModelPage'];
+export type Mesh = components['schemas']['Mesh'];
+export type Skeleton = components['schemas']['Skeleton'];
+export type Segments = components['schemas']['Segments'];
+export type Match = components['schemas']['Match'];
+export type Pair = components['schemas']['Pair'];
+export type Parts = components['schemas']['Parts'];
+export type Hit = components['schemas']['Hit'];
+export type SearchResult = components['schemas']['SearchResult'];
+export type Comparison = components['schemas']['Comparison'];
+export type EvaluationList = components['schemas']['EvaluationList'];
+export type Metrics = components['schemas']['Metrics'];
+export type Evaluation = components['schemas']['Evaluation'];
+export type Job = components['schemas']['Job'];
+export type Health = components['schemas']['Health'];
+export type Problem = components['schemas']['Problem'];
+export type ProblemCode = components['schemas']['ProblemCode'];
+export type ResponseNotModified = components['responses']['NotModified'];
+export type ResponseBadRequest = components['responses']['BadRequest'];
+export type ResponseUnauthorized = components['responses']['Unauthorized'];
+export type ResponseForbidden = components['responses']['Forbidden'];
+export type ResponseNotFound = components['responses']['NotFound'];
+export type ResponseRequestTimeout = components['responses']['RequestTimeout'];
+export type ResponseLengthRequired = components['responses']['LengthRequired'];
+export type ResponseTooLarge = components['responses']['TooLarge'];
+export type ResponseUnsupportedMediaType = components['responses']['UnsupportedMediaType'];
+export type ResponseUnusableModel = components['responses']['UnusableModel'];
+export type ResponseUnavailable = components['responses']['Unavailable'];
+export type ParameterModelId = components['parameters']['ModelId'];
+export type ParameterLimit = components['parameters']['Limit'];
+export type ParameterRanker = components['parameters']['Ranker'];
+export type ParameterRankerInPath = components['parameters']['RankerInPath'];
+export type ParameterPose = components['parameters']['Pose'];
+export type ParameterClass = components['parameters']['Class'];
+export type ParameterName = components['parameters']['Name'];
+export type ParameterRerank = components['parameters']['Rerank'];
+export type ParameterPart = components['parameters']['Part'];
+export type RequestBodyModel = components['requestBodies']['Model'];
+export type HeaderRequestId = components['headers']['RequestId'];
+export type HeaderETag = components['headers']['ETag'];
+export type $defs = Record<string, never>;
+export interface operations {
+    search: {
+        parameters: {
+            query?: {
+                /** @description The most hits to answer with. */
+                limit?: components["parameters"]["Limit"];
+                /** @description How distances are measured. */
+                ranker?: components["parameters"]["Ranker"];
+                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                pose?: components["parameters"]["Pose"];
+                /** @description Only models of this class. */
+                class?: components["parameters"]["Class"];
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+                /**
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
+                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
+                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 */
+                part?: components["parameters"]["Part"];
+                /** @description `mesh` adds a preview mesh of the query to the answer. */
+                include?: "mesh";
+                /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
+                name?: components["parameters"]["Name"];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: components["requestBodies"]["Model"];
+        responses: {
+            /** @description The ranked list, best first. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SearchResult"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            403: components["responses"]["Forbidden"];
+            408: components["responses"]["RequestTimeout"];
+            411: components["responses"]["LengthRequired"];
+            413: components["responses"]["TooLarge"];
+            415: components["responses"]["UnsupportedMediaType"];
+            422: components["responses"]["UnusableModel"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    listModels: {
+        parameters: {
+            query?: {
+                /** @description Models a page. */
+                limit?: number;
+                /**
+                 * @description The `next_cursor` of the page before; opaque, and valid only with the same `class` and
+                 *     `name`. Models added or removed meanwhile neither shift nor repeat entries.
+                 */
+                cursor?: string;
+                /** @description Only models of this class. */
+                class?: components["parameters"]["Class"];
+                /** @description Only models whose name contains this text; ASCII letters match in either case. */
+                name?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description One page. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["ModelPage"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    addModel: {
+        parameters: {
+            query?: {
+                /** @description The model's name; the file name of the multipart field, else `upload`, when absent. */
+                name?: string;
+                /** @description The model's class, if it has one. */
+                class?: string;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: components["requestBodies"]["Model"];
+        responses: {
+            /** @description Queued. */
+            202: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    /** @description Where to follow the job. */
+                    Location?: string;
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": {
+                        /** @example /v1/jobs/3 */
+                        job: string;
+                    };
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["Forbidden"];
+            408: components["responses"]["RequestTimeout"];
+            411: components["responses"]["LengthRequired"];
+            413: components["responses"]["TooLarge"];
+            415: components["responses"]["UnsupportedMediaType"];
+            422: components["responses"]["UnusableModel"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getModel: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The model. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Model"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    removeModel: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Removed. */
+            204: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["Forbidden"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    similarModels: {
+        parameters: {
+            query?: {
+                /** @description The most hits to answer with. */
+                limit?: components["parameters"]["Limit"];
+                /** @description How distances are measured. */
+                ranker?: components["parameters"]["Ranker"];
+                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                pose?: components["parameters"]["Pose"];
+                /** @description Only models of this class. */
+                class?: components["parameters"]["Class"];
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+                /**
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
+                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
+                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 */
+                part?: components["parameters"]["Part"];
+            };
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The ranked list, best first. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SearchResult"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    modelMesh: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mesh. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Mesh"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    modelSkeleton: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The skeleton. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Skeleton"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    modelSegments: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The parts, by descending area. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Segments"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    modelRig: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The rigged model. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    modelThumbnail: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The picture. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    compareModels: {
+        parameters: {
+            query: {
+                /** @description Id of the first model. */
+                a: components["schemas"]["Id"];
+                /** @description Id of the second model. */
+                b: components["schemas"]["Id"];
+                /** @description How distances are measured. */
+                ranker?: components["parameters"]["Ranker"];
+                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                pose?: components["parameters"]["Pose"];
+                /**
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
+                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
+                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 */
+                part?: components["parameters"]["Part"];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The comparison. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Comparison"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    listEvaluations: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The evaluations. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["EvaluationList"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getEvaluation: {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The evaluation. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Evaluation"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getEvaluationTable: {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Comma-separated values with the header line `recall,precision`. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/csv": string;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getEvaluationPlot: {
+        parameters: {
+            query?: {
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+            };
+            header?: never;
+            path: {
+                ranker: components["parameters"]["RankerInPath"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The plot. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/svg+xml": string;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    getJob: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The job's number. */
+                id: components["schemas"]["Id"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The job. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Job"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    live: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description It does. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Health"];
+                };
+            };
+        };
+    };
+    ready: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The index is open and the server is not shutting down. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Health"];
+                };
+            };
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    metrics: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The metrics; docs/operations.md lists them. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/plain": string;
+                };
+            };
+        };
+    };
+    describe: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description OpenAPI 3.1. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/yaml": string;
+                };
+            };
+            304: components["responses"]["NotModified"];
+        };
+    };
+    gallery: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description Empty for the start page, or the path of one of the gallery's files. */
+                file: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The file, with its content type. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "text/html": unknown;
+                    "text/javascript": unknown;
+                    "text/css": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            404: components["responses"]["NotFound"];
+        };
+    };
 }

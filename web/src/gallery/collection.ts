@@ -3,9 +3,10 @@ import type { ModelPage } from '../api/types';
 import type { Context } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatCount, formatPlural } from '../page/format';
+import type { KnownClasses } from '../page/known_classes';
 import { emptyNotice, problemNotice } from '../page/problem_notice';
 import { formatRoute, kHome } from '../page/routes';
-import { classField } from './class_field';
+import { type ClassField, classField } from './class_field';
 import { modelCard } from './model_card';
 import { skeletonCards } from './thumbnail';
 
@@ -23,109 +24,182 @@ export interface Collection {
 const kTypingPauseMs = 220;
 const kCardsWhileLoading = 12;
 
-/** All models, page by page, by name and class. */
-export function collection(first: CollectionFilter, context: Context): Collection {
-    let filter = { ...first };
-    let cursor: string | null = null;
-    let shown = 0;
-    let running = new AbortController();
-    let pause: ReturnType<typeof setTimeout> | undefined;
+function sameFilter(a: CollectionFilter, b: CollectionFilter): boolean {
+    return a.name === b.name && a.className === b.className;
+}
 
-    const name = element('input', {
-        type: 'search',
-        class: 'input',
-        name: 'name',
-        value: filter.name,
-        placeholder: 'Name contains…',
-        autocomplete: 'off',
-        maxlength: 256,
-    });
-    const className = classField(filter.className, context.classes);
-    const count = element('span', { class: 'count' });
-    const grid = element('ul', { class: 'grid', 'aria-label': 'Models of the collection' });
-    const message = element('div', {});
-    const more = element('button', { type: 'button', class: 'button' }, 'Show more');
-    const foot = element('div', { class: 'grid-foot', hidden: true }, more);
+function nothingThere(filter: CollectionFilter): HTMLElement {
+    return filter.name !== '' || filter.className !== ''
+        ? emptyNotice(
+              'No model fits these filters.',
+              element('a', { href: formatRoute(kHome) }, 'Show all models'),
+          )
+        : emptyNotice(
+              'The collection is empty.',
+              'Add models with ',
+              element('code', {}, 'ossuary index --index FILE FOLDER'),
+              ' and reload this page.',
+          );
+}
 
-    const describe = (page: ModelPage): void => {
-        count.textContent = formatCount(page.total);
-        context.announce(`${formatPlural(page.total, 'model')} in the collection fit the filters`);
-        const filtered = filter.name !== '' || filter.className !== '';
-        if (page.total === 0) {
-            replace(
-                message,
-                filtered
-                    ? emptyNotice(
-                          'No model fits these filters.',
-                          element('a', { href: formatRoute(kHome) }, 'Show all models'),
-                      )
-                    : emptyNotice(
-                          'The collection is empty.',
-                          'Add models with ',
-                          element('code', {}, 'ossuary index --index FILE FOLDER'),
-                          ' and reload this page.',
-                      ),
-            );
-        }
-    };
-    const load = async (): Promise<void> => {
-        running.abort();
-        running = new AbortController();
-        const { signal } = running;
-        const continued = cursor !== null;
-        more.disabled = true;
-        message.replaceChildren();
+/** The cards of the models that fit a filter, a page at a time. */
+class ModelList {
+    readonly count = element('span', { class: 'count' });
+    readonly message = element('div', {});
+    readonly grid = element('ul', { class: 'grid', 'aria-label': 'Models of the collection' });
+    readonly foot = element('div', { class: 'grid-foot', hidden: true });
+    private readonly more_ = element('button', { type: 'button', class: 'button' }, 'Show more');
+    private readonly context_: Context;
+    private filter_: CollectionFilter;
+    private cursor_: string | null = null;
+    private shown_ = 0;
+    private running_ = new AbortController();
+
+    constructor(filter: CollectionFilter, context: Context) {
+        this.filter_ = { ...filter };
+        this.context_ = context;
+        this.more_.addEventListener('click', () => void this.load());
+        this.foot.append(this.more_);
+        void this.load();
+    }
+
+    get filter(): CollectionFilter {
+        return this.filter_;
+    }
+
+    /** From the first page on. */
+    restart(filter: CollectionFilter): void {
+        this.filter_ = filter;
+        this.cursor_ = null;
+        void this.load();
+    }
+
+    dispose(): void {
+        this.running_.abort();
+    }
+
+    private async load(): Promise<void> {
+        this.running_.abort();
+        this.running_ = new AbortController();
+        const { signal } = this.running_;
+        const continued = this.cursor_ !== null;
+        this.more_.disabled = true;
+        this.message.replaceChildren();
         if (!continued) {
-            foot.hidden = true;
-            replace(grid, skeletonCards(kCardsWhileLoading));
+            this.foot.hidden = true;
+            replace(this.grid, skeletonCards(kCardsWhileLoading));
         }
         try {
-            const page = await context.client.models({ ...filter, cursor }, signal);
-            if (!continued) {
-                grid.replaceChildren();
-                shown = 0;
-            }
-            context.classes.add(page.models.map((model) => model.class));
-            const cards = page.models.map(modelCard);
-            grid.append(...cards);
-            if (continued) {
-                cards[0]?.querySelector('a')?.focus();
-            }
-            shown += cards.length;
-            cursor = page.next_cursor;
-            foot.hidden = cursor === null;
-            more.textContent = `Show more (${formatCount(Math.max(0, page.total - shown))} left)`;
-            describe(page);
+            const { client } = this.context_;
+            const page = await client.models({ ...this.filter_, cursor: this.cursor_ }, signal);
+            this.show(page, continued);
         } catch (error) {
             if (!isAbort(error)) {
                 if (!continued) {
-                    grid.replaceChildren();
+                    this.grid.replaceChildren();
                 }
-                replace(message, problemNotice(error, { retry: () => void load() }));
+                replace(this.message, problemNotice(error, { retry: () => void this.load() }));
             }
         } finally {
-            more.disabled = false;
+            this.more_.disabled = false;
         }
-    };
-    const restart = (next: CollectionFilter): void => {
-        filter = next;
-        cursor = null;
-        void load();
-    };
-    const edited = (): void => {
-        clearTimeout(pause);
-        pause = setTimeout(() => {
-            const next = { name: name.value.trim(), className: className.input.value.trim() };
-            if (next.name !== filter.name || next.className !== filter.className) {
-                context.rewrite({ page: 'home', ...next });
-                restart(next);
-            }
-        }, kTypingPauseMs);
-    };
-    name.addEventListener('input', edited);
-    className.input.addEventListener('input', edited);
-    more.addEventListener('click', () => void load());
-    void load();
+    }
+
+    private show(page: ModelPage, continued: boolean): void {
+        if (!continued) {
+            this.grid.replaceChildren();
+            this.shown_ = 0;
+        }
+        this.context_.classes.add(page.models.map((model) => model.class));
+        const cards = page.models.map(modelCard);
+        this.grid.append(...cards);
+        if (continued) {
+            cards[0]?.querySelector('a')?.focus();
+        }
+        this.shown_ += cards.length;
+        this.cursor_ = page.next_cursor;
+        this.foot.hidden = this.cursor_ === null;
+        const left = formatCount(Math.max(0, page.total - this.shown_));
+        this.more_.textContent = `Show more (${left} left)`;
+        this.count.textContent = formatCount(page.total);
+        const models = formatPlural(page.total, 'model');
+        this.context_.announce(`${models} in the collection fit the filters`);
+        if (page.total === 0) {
+            replace(this.message, nothingThere(this.filter_));
+        }
+    }
+}
+
+/** The fields above the cards; `onEdit` is called once one pauses with typing. */
+class FilterFields {
+    readonly node: HTMLElement;
+    private readonly name_: HTMLInputElement;
+    private readonly class_: ClassField;
+    private pause_: ReturnType<typeof setTimeout> | undefined;
+
+    constructor(
+        filter: CollectionFilter,
+        classes: KnownClasses,
+        onEdit: (filter: CollectionFilter) => void,
+    ) {
+        this.name_ = element('input', {
+            type: 'search',
+            class: 'input',
+            name: 'name',
+            value: filter.name,
+            placeholder: 'Name contains…',
+            autocomplete: 'off',
+            maxlength: 256,
+        });
+        this.class_ = classField(filter.className, classes);
+        for (const input of [this.name_, this.class_.input]) {
+            input.addEventListener('input', () => {
+                clearTimeout(this.pause_);
+                this.pause_ = setTimeout(() => onEdit(this.filter), kTypingPauseMs);
+            });
+        }
+        this.node = element(
+            'form',
+            {
+                class: 'filters',
+                role: 'search',
+                'aria-label': 'Filter the collection',
+                submit: (event: Event) => event.preventDefault(),
+            },
+            element(
+                'label',
+                { class: 'field' },
+                element('span', { class: 'field-label' }, 'Name'),
+                this.name_,
+            ),
+            this.class_.node,
+        );
+    }
+
+    get filter(): CollectionFilter {
+        return { name: this.name_.value.trim(), className: this.class_.input.value.trim() };
+    }
+
+    set filter({ name, className }: CollectionFilter) {
+        this.name_.value = name;
+        this.class_.input.value = className;
+    }
+
+    dispose(): void {
+        clearTimeout(this.pause_);
+        this.class_.dispose();
+    }
+}
+
+/** All models, page by page, by name and class. */
+export function collection(first: CollectionFilter, context: Context): Collection {
+    const list = new ModelList(first, context);
+    const fields = new FilterFields(first, context.classes, (filter) => {
+        if (!sameFilter(filter, list.filter)) {
+            context.rewrite({ page: 'home', ...filter });
+            list.restart(filter);
+        }
+    });
     return {
         node: element(
             'section',
@@ -133,39 +207,23 @@ export function collection(first: CollectionFilter, context: Context): Collectio
             element(
                 'div',
                 { class: 'section-head' },
-                element('h2', { id: 'collection-title' }, 'Collection ', count),
-                element(
-                    'form',
-                    {
-                        class: 'filters',
-                        role: 'search',
-                        'aria-label': 'Filter the collection',
-                        submit: (event: Event) => event.preventDefault(),
-                    },
-                    element(
-                        'label',
-                        { class: 'field' },
-                        element('span', { class: 'field-label' }, 'Name'),
-                        name,
-                    ),
-                    className.node,
-                ),
+                element('h2', { id: 'collection-title' }, 'Collection ', list.count),
+                fields.node,
             ),
-            message,
-            grid,
-            foot,
+            list.message,
+            list.grid,
+            list.foot,
         ),
-        show(next) {
-            name.value = next.name;
-            className.input.value = next.className;
-            if (next.name !== filter.name || next.className !== filter.className) {
-                restart({ ...next });
+        show({ name, className }) {
+            const filter = { name, className };
+            fields.filter = filter;
+            if (!sameFilter(filter, list.filter)) {
+                list.restart(filter);
             }
         },
         dispose() {
-            clearTimeout(pause);
-            running.abort();
-            className.dispose();
+            fields.dispose();
+            list.dispose();
         },
     };
 }

@@ -1,13 +1,16 @@
 import type { Client } from '../api/client';
-import type { Hit, PreviewMesh, QueryModel } from '../api/types';
+import { kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } from '../api/elements';
+import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
 import { formatRoute, partsOf, resultsOf } from '../page/routes';
+import { partsList } from './parts_list';
 import { type ViewerDialog, viewerDialog } from './viewer_dialog';
 
 export interface ComparisonOptions {
     query: QueryModel;
     queryMesh: PreviewMesh | null;
+    queryUp: UpAxis;
     hit: Hit;
     /** The comparison with the hit one rank better; null: there is none. */
     previousHref: string | null;
@@ -23,7 +26,7 @@ function step(href: string | null, label: string, sign: string): HTMLElement {
 
 /** Query and hit side by side. */
 export function comparisonDialog(options: ComparisonOptions, client: Client): ViewerDialog {
-    const { query, queryMesh, hit, previousHref, nextHref, onClose } = options;
+    const { query, queryMesh, queryUp, hit, previousHref, nextHref, onClose } = options;
     return viewerDialog({
         title: [
             element('span', {}, query.name),
@@ -48,16 +51,22 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
             step(nextHref, 'Next hit', '→'),
         ],
         async load(signal) {
-            const [{ comparison }, hitMesh, hitSkeleton] = await Promise.all([
+            const [{ comparison }, mesh, skeleton, { up }] = await Promise.all([
                 import('../viewer/comparison'),
                 client.mesh(hit.id, signal),
                 client.skeleton(hit.id, signal),
+                client.model(hit.id, signal),
             ]);
             return comparison({
-                query: { name: query.name, mesh: queryMesh, skeleton: query.skeleton },
-                hit: { name: hit.name, mesh: hitMesh, skeleton: hitSkeleton },
+                query: {
+                    name: query.name,
+                    mesh: queryMesh,
+                    skeleton: query.skeleton,
+                    up: queryUp,
+                },
+                hit: { name: hit.name, mesh, skeleton, up: up ?? kUsualUp },
                 match: hit.match,
-                parts: hit.parts,
+                note: partsList(hit.parts),
             });
         },
         onClose,

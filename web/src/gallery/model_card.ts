@@ -1,4 +1,4 @@
-import type { ModelSummary } from '../api/types';
+import type { ModelSummary } from '../api/elements';
 import { element } from '../page/element';
 import { formatPlural } from '../page/format';
 import { formatRoute, resultsOf } from '../page/routes';

@@ -1,10 +1,11 @@
-import type { PreviewMesh, QueryModel } from '../api/types';
+import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import { element, replace } from '../page/element';
 import { formatCount } from '../page/format';
 
 export interface QueryPanelOptions {
     /** Null: the skeleton alone. */
     mesh: PreviewMesh | null;
+    up: UpAxis;
     /** Where the query's parts are shown; null: nowhere, since the server does not keep it. */
     partsHref: string | null;
 }
@@ -60,7 +61,7 @@ export function queryPanel(): QueryPanel {
     let disposed = false;
     return {
         node: element('section', { class: 'query', 'aria-label': 'The query' }, picture, text),
-        async show(query, { mesh, partsHref }) {
+        async show(query, { mesh, up, partsHref }) {
             const parts =
                 partsHref !== null &&
                 element('a', { class: 'button', href: partsHref }, 'Parts and pose');
@@ -71,7 +72,7 @@ export function queryPanel(): QueryPanel {
                 return;
             }
             pane?.dispose();
-            const view = queryView(query.name, query.skeleton, mesh);
+            const view = queryView({ name: query.name, skeleton: query.skeleton, mesh, up });
             pane = view;
             replace(picture, view.node);
             picture.removeAttribute('aria-busy');

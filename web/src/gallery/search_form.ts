@@ -1,5 +1,6 @@
+import { kRankers } from '../api/elements';
 import { kLimits, kSearchDefaults, type SearchParameters } from '../api/search_parameters';
-import { kRankers, type Ranker } from '../api/types';
+import type { Ranker } from '../api/types';
 import { type Child, element } from '../page/element';
 import { capitalise, formatName } from '../page/format';
 import type { KnownClasses } from '../page/known_classes';

@@ -1,4 +1,4 @@
-import type { ClassMetrics } from '../api/types';
+import type { ClassMetrics } from '../api/elements';
 import { element, replace } from '../page/element';
 import { formatCount, formatShare } from '../page/format';
 import {
@@ -24,7 +24,7 @@ const kColumns: readonly Column[] = [
 function cell(row: ClassRow, key: keyof ClassRow): HTMLElement {
     const value = row[key];
     if (typeof value === 'string') {
-        return element('th', { scope: 'row' }, value);
+        return element('th', { scope: 'row' }, element('span', { class: 'name' }, value));
     }
     if (key === 'models') {
         return element('td', { class: 'number' }, formatCount(value));

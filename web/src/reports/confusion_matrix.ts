@@ -1,4 +1,4 @@
-import type { Confusion } from '../api/types';
+import type { Confusion } from '../api/elements';
 import { element } from '../page/element';
 import { commonMistakes } from './report_data';
 
@@ -34,7 +34,7 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
                         {},
                         element('td', {}),
                         classes.map((name) =>
-                            element('th', { scope: 'col' }, element('span', {}, name)),
+                            element('th', { scope: 'col' }, element('span', { title: name }, name)),
                         ),
                     ),
                 ),
@@ -45,7 +45,7 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
                         element(
                             'tr',
                             {},
-                            element('th', { scope: 'row' }, from),
+                            element('th', { scope: 'row' }, element('span', {}, from)),
                             classes.map((to, column) => {
                                 const share = values[row]?.[column] ?? 0;
                                 return element(

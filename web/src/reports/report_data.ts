@@ -1,7 +1,8 @@
-import type { ClassMetrics, Confusion, Evaluation, RetrievalMetrics } from '../api/types';
+import type { ClassMetrics, Confusion } from '../api/elements';
+import type { Evaluation, Metrics } from '../api/types';
 
 export interface MetricColumn {
-    key: keyof RetrievalMetrics;
+    key: keyof Metrics;
     short: string;
     long: string;
 }
@@ -38,8 +39,8 @@ export function alignCurves(
 }
 
 /** Place of the best row in each column; none where all are equal. */
-export function bestRows(rows: readonly RetrievalMetrics[]): Map<keyof RetrievalMetrics, number> {
-    const best = new Map<keyof RetrievalMetrics, number>();
+export function bestRows(rows: readonly Metrics[]): Map<keyof Metrics, number> {
+    const best = new Map<keyof Metrics, number>();
     for (const { key } of kMetrics) {
         const values = rows.map((row) => row[key]);
         const most = Math.max(...values);

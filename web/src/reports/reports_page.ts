@@ -1,5 +1,7 @@
+import type { Client } from '../api/client';
+import { kRankers } from '../api/elements';
 import { ApiError, isAbort } from '../api/problem';
-import { type Evaluation, kRankers, type Ranker } from '../api/types';
+import type { Evaluation, Ranker } from '../api/types';
 import type { Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { capitalise, formatCount, formatName, formatPlural } from '../page/format';
@@ -40,98 +42,155 @@ function detail(evaluation: Evaluation): HTMLElement[] {
     ];
 }
 
-/** How well the rankers find models of the query's class. */
-export function reportsPage(context: Context): Page {
-    const running = new AbortController();
-    const found: Evaluation[] = [];
-    const status = element('div', { class: 'reports-status' });
-    const figures = element('dl', { class: 'figures' });
-    const curve = element('div', { class: 'curve-place curve-loading' });
-    const metrics = element('div', {});
-    const choice = element('div', { class: 'segmented', role: 'group', 'aria-label': 'Ranker' });
-    const details = element('div', { class: 'report-details' });
-    const overview = element(
-        'section',
-        { class: 'panel', 'aria-labelledby': 'curve-title' },
-        element('h2', { id: 'curve-title' }, 'Precision and recall'),
-        curve,
-        metrics,
-    );
-    const detailHead = element(
-        'div',
-        { class: 'section-head', hidden: true },
-        element('h2', {}, 'In detail'),
-        choice,
-    );
-    let chart: CurveChart | null = null;
-    let chosen: Ranker | null = null;
+/** The evaluations found so far: the curves and figures of all, the details of a chosen one. */
+class Reports {
+    readonly figures = element('dl', { class: 'figures' });
+    readonly overview: HTMLElement;
+    readonly detailHead: HTMLElement;
+    readonly details = element('div', { class: 'report-details' });
+    private readonly curve_ = element('div', { class: 'curve-place curve-loading' });
+    private readonly metrics_ = element('div', {});
+    private readonly choice_ = element('div', {
+        class: 'segmented',
+        role: 'group',
+        'aria-label': 'Ranker',
+    });
+    private found_: readonly Evaluation[] = [];
+    private chart_: CurveChart | null = null;
+    private chosen_: Ranker | null = null;
 
-    const choose = (ranker: Ranker): void => {
-        chosen = ranker;
-        const evaluation = found.find((each) => each.ranker === ranker);
-        for (const button of choice.querySelectorAll('button')) {
-            button.setAttribute('aria-pressed', String(button.value === ranker));
-        }
-        if (evaluation) {
-            replace(details, detail(evaluation));
-        }
-    };
-    const show = (): void => {
+    constructor() {
+        this.overview = element(
+            'section',
+            { class: 'panel', 'aria-labelledby': 'curve-title' },
+            element('h2', { id: 'curve-title' }, 'Precision and recall'),
+            this.curve_,
+            this.metrics_,
+        );
+        this.detailHead = element(
+            'div',
+            { class: 'section-head', hidden: true },
+            element('h2', {}, 'In detail'),
+            this.choice_,
+        );
+    }
+
+    show(found: readonly Evaluation[]): void {
+        this.found_ = found;
         const [first] = found;
         if (!first) {
             return;
         }
-        replace(figures, [
+        replace(this.figures, [
             figure(formatCount(first.models), 'models'),
             figure(formatCount(first.classes), 'classes'),
         ]);
-        chart?.dispose();
-        chart = curveChart(found);
-        curve.classList.remove('curve-loading');
-        replace(curve, chart.node);
-        replace(metrics, metricsTable(found));
-        detailHead.hidden = false;
-        replace(
-            choice,
-            found.map(({ ranker }) =>
-                element(
-                    'button',
-                    { type: 'button', value: ranker, click: () => choose(ranker) },
-                    capitalise(formatName(ranker)),
-                ),
+        this.chart_?.dispose();
+        this.chart_ = curveChart(found);
+        this.curve_.classList.remove('curve-loading');
+        replace(this.curve_, this.chart_.node);
+        replace(this.metrics_, metricsTable(found));
+        this.detailHead.hidden = false;
+        const buttons = found.map(({ ranker }) =>
+            element(
+                'button',
+                { type: 'button', value: ranker, click: () => this.choose(ranker) },
+                capitalise(formatName(ranker)),
             ),
         );
-        choose(chosen ?? first.ranker);
-    };
-    // One after the other: each may have to be computed, and the first is to be seen soon.
-    const load = async (): Promise<void> => {
-        found.length = 0;
-        const failures: [Ranker, unknown][] = [];
-        for (const ranker of kRankers) {
-            replace(
-                status,
-                element('p', { class: 'fine working' }, `Evaluating ${formatName(ranker)}…`),
-            );
-            try {
-                found.push(await context.client.evaluation(ranker, running.signal));
-                show();
-            } catch (error) {
-                if (isAbort(error)) {
-                    return;
-                }
-                failures.push([ranker, error]);
-            }
+        replace(this.choice_, buttons);
+        this.choose(this.chosen_ ?? first.ranker);
+    }
+
+    dispose(): void {
+        this.chart_?.dispose();
+    }
+
+    private choose(ranker: Ranker): void {
+        this.chosen_ = ranker;
+        for (const button of this.choice_.querySelectorAll('button')) {
+            button.setAttribute('aria-pressed', String(button.value === ranker));
         }
-        const missing = failures.find(
-            ([, error]) => error instanceof ApiError && error.code === 'evaluation_not_found',
-        );
+        const evaluation = this.found_.find((each) => each.ranker === ranker);
+        if (evaluation) {
+            replace(this.details, detail(evaluation));
+        }
+    }
+}
+
+interface Loaded {
+    found: Evaluation[];
+    failures: unknown[];
+}
+
+/**
+ * Asks for one evaluation after the other, since each may have to be computed and the first is to be
+ * seen soon. Null: it was ended.
+ */
+async function loadEvaluations(
+    client: Client,
+    signal: AbortSignal,
+    onProgress: (next: Ranker, found: readonly Evaluation[]) => void,
+): Promise<Loaded | null> {
+    const found: Evaluation[] = [];
+    const failures: unknown[] = [];
+    for (const ranker of kRankers) {
+        onProgress(ranker, found);
+        try {
+            found.push(await client.evaluation(ranker, signal));
+        } catch (error) {
+            if (isAbort(error)) {
+                return null;
+            }
+            failures.push(error);
+        }
+    }
+    return { found, failures };
+}
+
+function introduction(): HTMLElement {
+    return element(
+        'div',
+        {},
+        element('h1', {}, 'Reports'),
+        element(
+            'p',
+            { class: 'lede' },
+            'Every model of the collection searches for the others of its class.',
+        ),
+    );
+}
+
+function isMissing(error: unknown): error is ApiError {
+    return error instanceof ApiError && error.code === 'evaluation_not_found';
+}
+
+/** How well the rankers find models of the query's class. */
+export function reportsPage(context: Context): Page {
+    const running = new AbortController();
+    const status = element('div', { class: 'reports-status' });
+    const reports = new Reports();
+    const progress = (next: Ranker, found: readonly Evaluation[]): void => {
+        reports.show(found);
+        const text = `Evaluating ${formatName(next)}…`;
+        replace(status, element('p', { class: 'fine working' }, text));
+    };
+    const load = async (): Promise<void> => {
+        const loaded = await loadEvaluations(context.client, running.signal, progress);
+        if (!loaded) {
+            return;
+        }
+        const { found, failures } = loaded;
+        reports.show(found);
+        const missing = failures.find(isMissing);
         if (found.length === 0 && missing) {
-            overview.remove();
-            replace(status, noEvaluation((missing[1] as ApiError).message));
+            reports.overview.remove();
+            replace(status, noEvaluation(missing.message));
         } else {
+            const retry = (): void => void load();
             replace(
                 status,
-                failures.map(([, error]) => problemNotice(error, { retry: () => void load() })),
+                failures.map((error) => problemNotice(error, { retry })),
             );
         }
         context.announce(`${formatPlural(found.length, 'report')} shown`);
@@ -141,31 +200,17 @@ export function reportsPage(context: Context): Page {
         node: element(
             'div',
             { class: 'page reports' },
-            element(
-                'div',
-                { class: 'reports-head' },
-                element(
-                    'div',
-                    {},
-                    element('h1', {}, 'Reports'),
-                    element(
-                        'p',
-                        { class: 'lede' },
-                        'Every model of the collection searches for the others of its class.',
-                    ),
-                ),
-                figures,
-            ),
+            element('div', { class: 'reports-head' }, introduction(), reports.figures),
             status,
-            overview,
-            detailHead,
-            details,
+            reports.overview,
+            reports.detailHead,
+            reports.details,
         ),
         title: 'Reports',
         update: (route) => route.page === 'reports',
         dispose() {
             running.abort();
-            chart?.dispose();
+            reports.dispose();
         },
     };
 }

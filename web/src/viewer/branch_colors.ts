@@ -1,6 +1,7 @@
-import type { MatchedPair, SkeletonBranch } from '../api/types';
+import type { SkeletonBranch } from '../api/elements';
+import type { Pair } from '../api/types';
 
-export interface ColoredPair extends MatchedPair {
+export interface ColoredPair extends Pair {
     /** 1, 2, …: the number that the table and the label show, since colour alone must not tell. */
     number: number;
     /** `#rrggbb`. */
@@ -58,7 +59,7 @@ export function pairColor(index: number): string {
  * first, most distinct colours. Does not depend on the order of `matched`.
  */
 export function assignBranchColors(
-    matched: readonly MatchedPair[],
+    matched: readonly Pair[],
     queryBranches: readonly SkeletonBranch[],
 ): BranchColors {
     const length = new Map(queryBranches.map((branch) => [branch.id, branch.length]));

@@ -1,29 +1,23 @@
-import type { Correspondence, PreviewMesh, Skeleton } from '../api/types';
-import { type Child, element } from '../page/element';
+import type { Match } from '../api/types';
+import { element } from '../page/element';
 import { formatDistance, formatPlural } from '../page/format';
-import { assignBranchColors, type ColoredPair } from './branch_colors';
+import { assignBranchColors, type BranchColors, type ColoredPair } from './branch_colors';
 import { dialogContent } from './dialog_content';
-import { matchTable } from './match_table';
+import { type MatchTable, matchTable } from './match_table';
 import { kFirstOrbit } from './orbit';
 import { OrbitSource } from './orbit_input';
 import { Pane } from './pane';
-import { partsList } from './parts_list';
 import type { ScreenPoint } from './pick';
-import { noWebGlNotice } from './query_view';
+import { noWebGlNotice, type ViewedModel } from './query_view';
 import { toggle } from './toggle';
 import { hasWebGl } from './webgl';
 
-export interface ComparedModel {
-    name: string;
-    mesh: PreviewMesh | null;
-    skeleton: Skeleton;
-}
-
 export interface ComparisonInput {
-    query: ComparedModel;
-    hit: ComparedModel;
-    match: Correspondence;
-    parts: Record<string, number>;
+    query: ViewedModel;
+    hit: ViewedModel;
+    match: Match;
+    /** Said of the comparison between its summary and its table. */
+    note: HTMLElement;
 }
 
 export interface Comparison {
@@ -31,11 +25,16 @@ export interface Comparison {
     dispose(): void;
 }
 
-interface Side {
-    pane: Pane;
-    label: HTMLElement;
+interface SideOptions {
+    role: string;
+    model: ViewedModel;
     pairOf: ReadonlyMap<number, ColoredPair>;
     branchOf: (pair: ColoredPair) => number;
+}
+
+interface Side extends SideOptions {
+    pane: Pane;
+    label: HTMLElement;
     figure: HTMLElement;
 }
 
@@ -48,35 +47,68 @@ function summary(input: ComparisonInput): string {
         : `${branches} and ${nodes} match.`;
 }
 
-/**
- * Query and hit side by side, matched branches in one colour, with the table of the matches. The
- * three ways to point at a branch (left picture, right picture, table) do the same.
- */
-export function comparison(input: ComparisonInput): Comparison {
-    const colors = assignBranchColors(input.match.branches, input.query.skeleton.branches);
-    const sides: Side[] = [];
-    const table = matchTable({
-        colors,
-        query: input.query.skeleton,
-        hit: input.hit.skeleton,
-        onChoose: (pair) => choose(pair),
-    });
+/** Two pictures and a table: a branch that one of them points at is lit in all. */
+class LinkedBranches {
+    readonly table: MatchTable;
+    readonly sides: Side[] = [];
+    /** Where both stand while they turn together. */
+    readonly orbit = new OrbitSource();
 
-    function choose(pair: ColoredPair | null, only?: { side: Side; branch: number }): void {
-        table.highlight(pair);
-        for (const side of sides) {
+    constructor(input: ComparisonInput, colors: BranchColors) {
+        this.table = matchTable({
+            colors,
+            query: input.query.skeleton,
+            hit: input.hit.skeleton,
+            onChoose: (pair) => this.choose(pair),
+        });
+    }
+
+    addSide(options: SideOptions): void {
+        const { role, model, pairOf } = options;
+        const label = element('span', { class: 'pane-label', hidden: true });
+        const pane = new Pane({
+            mesh: model.mesh,
+            skeleton: model.skeleton,
+            branchColors: new Map([...pairOf].map(([id, pair]) => [id, pair.color])),
+            label: `${role}: ${model.name} with its skeleton`,
+            orbit: this.orbit,
+            up: model.up,
+            onHover: (branch, at) => this.hovered(side, branch, at),
+        });
+        pane.node.append(label);
+        const figure = element(
+            'figure',
+            { class: 'side' },
+            pane.node,
+            element(
+                'figcaption',
+                { title: model.name },
+                element('span', {}, role),
+                ' ',
+                model.name,
+            ),
+        );
+        const side: Side = { ...options, pane, label, figure };
+        this.sides.push(side);
+    }
+
+    dispose(): void {
+        for (const { pane } of this.sides) {
+            pane.dispose();
+        }
+    }
+
+    private choose(pair: ColoredPair | null, only?: { side: Side; branch: number }): void {
+        this.table.highlight(pair);
+        for (const side of this.sides) {
             const alone = only?.side === side ? only.branch : null;
             side.pane.highlight(pair ? side.branchOf(pair) : alone);
         }
     }
 
-    function hovered(index: number, branch: number | null, at: ScreenPoint | null): void {
-        const side = sides[index];
-        if (!side) {
-            return;
-        }
+    private hovered(side: Side, branch: number | null, at: ScreenPoint | null): void {
         const pair = branch === null ? null : (side.pairOf.get(branch) ?? null);
-        choose(pair, branch === null ? undefined : { side, branch });
+        this.choose(pair, branch === null ? undefined : { side, branch });
         side.label.hidden = at === null;
         if (at) {
             side.label.style.setProperty('--x', `${at.x}px`);
@@ -86,95 +118,73 @@ export function comparison(input: ComparisonInput): Comparison {
                 : 'No counterpart';
         }
     }
+}
 
-    function addSide(
-        model: ComparedModel,
-        role: string,
-        pairOf: ReadonlyMap<number, ColoredPair>,
-        branchOf: (pair: ColoredPair) => number,
-    ): void {
-        const index = sides.length;
-        const label = element('span', { class: 'pane-label', hidden: true });
-        const pane = new Pane({
-            mesh: model.mesh,
-            skeleton: model.skeleton,
-            branchColors: new Map([...pairOf].map(([id, pair]) => [id, pair.color])),
-            label: `${role}: ${model.name} with its skeleton`,
-            orbit: shared,
-            onHover: (branch, at) => hovered(index, branch, at),
-        });
-        pane.node.append(label);
-        const figure = element(
-            'figure',
-            { class: 'side' },
-            pane.node,
-            element('figcaption', {}, element('span', {}, role), ' ', model.name),
-        );
-        sides.push({ pane, label, pairOf, branchOf, figure });
-    }
-
-    const shared = new OrbitSource();
+function controls(sides: readonly Side[], shared: OrbitSource): HTMLElement {
     const parts = { surface: true, nodes: true };
-    const showParts = (): void => {
+    const show = (changed: Partial<typeof parts>): void => {
+        Object.assign(parts, changed);
         for (const { pane } of sides) {
             pane.show(parts);
         }
     };
-    let stage: Child = noWebGlNotice();
-    if (hasWebGl()) {
-        addSide(input.query, 'Query', colors.query, (pair) => pair.a);
-        addSide(input.hit, 'Hit', colors.hit, (pair) => pair.b);
-        stage = [
-            element(
-                'div',
-                { class: 'sides' },
-                sides.map(({ figure }) => figure),
-            ),
-            element(
-                'div',
-                { class: 'viewer-controls', role: 'group', 'aria-label': 'View' },
-                toggle('Turn together', true, (together) => {
-                    const { orbit } = sides[0]?.pane.orbit ?? shared;
-                    shared.set(orbit);
-                    for (const { pane } of sides) {
-                        pane.follow(together ? shared : new OrbitSource(orbit));
-                    }
-                }),
-                toggle('Surface', true, (on) => {
-                    parts.surface = on;
-                    showParts();
-                }),
-                toggle('Nodes', true, (on) => {
-                    parts.nodes = on;
-                    showParts();
-                }),
-                element(
-                    'button',
-                    {
-                        type: 'button',
-                        class: 'button button-quiet',
-                        click: () => {
-                            for (const { pane } of sides) {
-                                pane.orbit.set({ ...kFirstOrbit });
-                            }
-                        },
-                    },
-                    'Reset view',
-                ),
-            ),
-        ];
+    const turnTogether = (together: boolean): void => {
+        const { orbit } = sides[0]?.pane.orbit ?? shared;
+        shared.set(orbit);
+        for (const { pane } of sides) {
+            pane.follow(together ? shared : new OrbitSource(orbit));
+        }
+    };
+    const reset = (): void => {
+        for (const { pane } of sides) {
+            pane.orbit.set({ ...kFirstOrbit });
+        }
+    };
+    return element(
+        'div',
+        { class: 'viewer-controls', role: 'group', 'aria-label': 'View' },
+        toggle('Turn together', true, turnTogether),
+        toggle('Surface', true, (surface) => show({ surface })),
+        toggle('Nodes', true, (nodes) => show({ nodes })),
+        element(
+            'button',
+            { type: 'button', class: 'button button-quiet', click: reset },
+            'Reset view',
+        ),
+    );
+}
+
+/**
+ * Query and hit side by side, matched branches in one colour, with the table of the matches. The
+ * three ways to point at a branch (left picture, right picture, table) do the same.
+ */
+export function comparison(input: ComparisonInput): Comparison {
+    const { query, hit } = input;
+    const colors = assignBranchColors(input.match.branches, query.skeleton.branches);
+    const linked = new LinkedBranches(input, colors);
+    const drawn = hasWebGl();
+    if (drawn) {
+        linked.addSide({
+            role: 'Query',
+            model: query,
+            pairOf: colors.query,
+            branchOf: (pair) => pair.a,
+        });
+        linked.addSide({ role: 'Hit', model: hit, pairOf: colors.hit, branchOf: (pair) => pair.b });
     }
+    const figures = linked.sides.map(({ figure }) => figure);
     return {
         node: dialogContent(
-            stage,
+            drawn
+                ? [
+                      element('div', { class: 'sides' }, figures),
+                      controls(linked.sides, linked.orbit),
+                  ]
+                : noWebGlNotice(),
             element('p', { class: 'match-summary' }, summary(input)),
-            partsList(input.parts),
-            table.node,
+            input.note,
+            linked.table.node,
         ),
-        dispose() {
-            for (const { pane } of sides) {
-                pane.dispose();
-            }
-        },
+        dispose: () => linked.dispose(),
     };
 }

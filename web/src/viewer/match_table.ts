@@ -64,7 +64,7 @@ export function matchTable(options: MatchTableOptions): MatchTable {
     return {
         node: element(
             'div',
-            { class: 'match' },
+            { class: 'match table-scroll' },
             element(
                 'table',
                 { class: 'table match-table' },

@@ -11,9 +11,10 @@ import {
 } from 'three';
 import { mergeVertices, toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
-import type { Point, PreviewMesh, Skeleton, SkeletonNode } from '../api/types';
+import type { PreviewMesh, SkeletonNode } from '../api/elements';
+import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
-import { type Frame, frameModel } from './frame';
+import { type Frame, frameModel, toUnit, unitPositions } from './frame';
 import { surfaceMaterial } from './surface_material';
 import type { ViewerTheme } from './theme';
 import { buildTube } from './tube';
@@ -25,6 +26,7 @@ const kLeastNodeRadius = 0.024;
 const kMostNodeRadius = 0.05;
 const kGlow = 0.12;
 const kCreaseAngle = Math.PI / 4.5;
+/** In the unit sphere. */
 const kWeldTolerance = 1e-5;
 
 export interface ModelSceneInput {
@@ -39,14 +41,14 @@ type Solid = Mesh<BufferGeometry, MeshStandardMaterial>;
 
 interface BranchTube {
     solid: Solid;
-    line: Point[];
+    line: Vector[];
     /** The radius that the geometry was made with; 0: not yet. */
     radius: number;
 }
 
-function creasedSurface(mesh: PreviewMesh): BufferGeometry {
+function creasedSurface(mesh: PreviewMesh, frame: Frame): BufferGeometry {
     const soup = new BufferGeometry();
-    soup.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
+    soup.setAttribute('position', new BufferAttribute(unitPositions(frame, mesh), 3));
     soup.setIndex(mesh.triangles);
     const welded = mergeVertices(soup, kWeldTolerance);
     const creased = toCreasedNormals(welded, kCreaseAngle);
@@ -83,7 +85,7 @@ export class ModelScene {
     }
 
     /** The branches' polylines in the unit sphere. */
-    get branchLines(): { id: number; points: Point[] }[] {
+    get branchLines(): { id: number; points: Vector[] }[] {
         return [...this.tubes_].map(([id, { line }]) => ({ id, points: line }));
     }
 
@@ -147,7 +149,7 @@ export class ModelScene {
         if (!mesh || mesh.triangles.length === 0) {
             return;
         }
-        const geometry = creasedSurface(mesh);
+        const geometry = creasedSurface(mesh, this.frame_);
         // First the depth of the nearest surface alone, so that only that one is tinted: with all
         // layers blended, folded limbs grew darker than the torso in front of them.
         const depth = new Mesh(
@@ -158,19 +160,7 @@ export class ModelScene {
         const glass = new Mesh(geometry, surfaceMaterial(theme.surface));
         glass.renderOrder = 2;
         glass.userData.glass = true;
-        const { center, scale } = this.frame_;
         this.surface_.add(depth, glass);
-        this.surface_.scale.setScalar(scale);
-        this.surface_.position.set(-center[0] * scale, -center[1] * scale, -center[2] * scale);
-    }
-
-    private toUnit(point: Point): Point {
-        const { center, scale } = this.frame_;
-        return [
-            (point[0] - center[0]) * scale,
-            (point[1] - center[1]) * scale,
-            (point[2] - center[2]) * scale,
-        ];
     }
 
     private addBranches(theme: ViewerTheme): void {
@@ -178,7 +168,7 @@ export class ModelScene {
             const color = this.input_.branchColors.get(branch.id) ?? theme.unmatched;
             const tube: BranchTube = {
                 solid: new Mesh(new BufferGeometry(), this.material(color)),
-                line: branch.points.map((point) => this.toUnit(point)),
+                line: branch.points.map((point) => toUnit(this.frame_, point)),
                 radius: 0,
             };
             this.shapeTube(tube, this.tubeRadius(branch.id));
@@ -210,7 +200,7 @@ export class ModelScene {
         const material = this.material(theme.node);
         for (const node of this.input_.skeleton.nodes) {
             const mesh = new Mesh(ball, material);
-            mesh.position.set(...this.toUnit(node.position));
+            mesh.position.set(...toUnit(this.frame_, node.position));
             mesh.scale.setScalar(nodeRadius(node, this.frame_));
             this.nodes_.add(mesh);
         }

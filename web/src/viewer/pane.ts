@@ -1,5 +1,6 @@
 import { Vector3 } from 'three';
 
+import type { UpAxis } from '../api/elements';
 import { ModelScene, type ModelSceneInput } from './model_scene';
 import type { OrbitSource } from './orbit_input';
 import { nearestLine, type ScreenLine, type ScreenPoint } from './pick';
@@ -10,6 +11,7 @@ export interface PaneOptions extends ModelSceneInput {
     /** What a screen reader calls the picture. */
     label: string;
     orbit: OrbitSource;
+    up: UpAxis;
     /** The branch under the pointer changed; null: none. */
     onHover: (branch: number | null, at: ScreenPoint | null) => void;
 }
@@ -28,10 +30,11 @@ export class Pane {
         this.picture_ = new Picture({
             label: options.label,
             orbit: options.orbit,
+            up: options.up,
             beforeDraw: () => {},
         });
         this.model_ = new ModelScene(options, readViewerTheme());
-        this.picture_.scene.add(this.model_.root);
+        this.picture_.stand.add(this.model_.root);
         this.listen();
     }
 
@@ -96,7 +99,9 @@ export class Pane {
     private projectedBranches(): ScreenLine[] {
         return this.model_.branchLines.map(({ id, points }) => ({
             id,
-            points: points.map((point) => this.picture_.project(new Vector3(...point))),
+            points: points.map((point) =>
+                this.picture_.project(this.model_.root.localToWorld(new Vector3(...point))),
+            ),
         }));
     }
 }

@@ -1,4 +1,4 @@
-import type { SegmentPart } from '../api/types';
+import type { SegmentPart } from '../api/elements';
 import { pairColor } from './branch_colors';
 
 const kPalette = 12;

@@ -1,4 +1,4 @@
-import type { SegmentPart } from '../api/types';
+import type { SegmentPart } from '../api/elements';
 import { element } from '../page/element';
 
 export interface PartLegendOptions {
@@ -44,23 +44,24 @@ export function partLegend({ parts, colors, onChoose }: PartLegendOptions): Part
             element('td', { class: 'number' }, formatShare(part.area_share)),
         );
     });
-    return {
-        node: element(
-            'table',
-            { class: 'table match-table part-legend' },
-            element('caption', {}, 'Parts by their share of the surface'),
+    const table = element(
+        'table',
+        { class: 'table match-table part-legend' },
+        element('caption', {}, 'Parts by their share of the surface'),
+        element(
+            'thead',
+            {},
             element(
-                'thead',
+                'tr',
                 {},
-                element(
-                    'tr',
-                    {},
-                    element('th', { scope: 'col' }, 'Part'),
-                    element('th', { scope: 'col', colspan: 2 }, 'Area'),
-                ),
+                element('th', { scope: 'col' }, 'Part'),
+                element('th', { scope: 'col', colspan: 2 }, 'Area'),
             ),
-            element('tbody', {}, rows),
         ),
+        element('tbody', {}, rows),
+    );
+    return {
+        node: element('div', { class: 'table-scroll' }, table),
         highlight(chosen) {
             for (const [index, row] of rows.entries()) {
                 row.classList.toggle('chosen', index === chosen);

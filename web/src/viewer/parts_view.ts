@@ -1,3 +1,4 @@
+import type { UpAxis } from '../api/elements';
 import type { Segments, Skeleton } from '../api/types';
 import { type Child, element } from '../page/element';
 import { formatPlural } from '../page/format';
@@ -17,6 +18,7 @@ export interface PartsInput {
     segments: Segments;
     /** Binary glTF. */
     rig: ArrayBuffer;
+    up: UpAxis;
 }
 
 function button(label: string, click: () => void): HTMLElement {
@@ -83,6 +85,7 @@ export async function partsView(input: PartsInput): Promise<View> {
             skeleton: input.skeleton,
             colors,
             label: `${input.name} by its parts`,
+            up: input.up,
             onHover: hovered,
         });
         pane.node.append(label);

@@ -7,15 +7,19 @@ import {
     WebGLRenderer,
 } from 'three';
 
+import type { UpAxis } from '../api/elements';
 import { element } from '../page/element';
 import { cameraPosition } from './orbit';
 import { attachOrbitInput, type OrbitSource } from './orbit_input';
 import type { ScreenPoint } from './pick';
+import { Stand, upControl } from './up_axis';
 
 export interface PictureOptions {
     /** What a screen reader calls the picture. */
     label: string;
     orbit: OrbitSource;
+    /** The axis of the model's file that points up, until the viewer wants another. */
+    up: UpAxis;
     /** The camera stands where the picture is about to be taken from. */
     beforeDraw: () => void;
 }
@@ -24,20 +28,25 @@ const kFieldOfViewDegrees = 38;
 const kMostPixelRatio = 2;
 
 /**
- * A canvas with a lit scene around the unit sphere. It draws when something changed and not
- * otherwise, and gives its graphics memory and context back in {@link dispose}.
+ * A canvas with a lit model in the unit sphere. It draws when something changed and not otherwise,
+ * and gives its graphics memory and context back in {@link dispose}. The canvas says by
+ * `data-picture` whether it shows what was asked for last: `pending` until then, `drawn` from then on.
  */
 export class Picture {
     readonly node: HTMLElement;
     readonly canvas: HTMLCanvasElement;
-    readonly scene = new Scene();
+    /** What is shown stands here. */
+    readonly stand = new Stand();
     readonly camera = new PerspectiveCamera(kFieldOfViewDegrees, 1, 0.05, 40);
+    private readonly scene_ = new Scene();
     private readonly renderer_: WebGLRenderer;
     private readonly undo_: (() => void)[] = [];
     private readonly beforeDraw_: () => void;
     private orbit_: OrbitSource;
     private unsubscribe_: () => void = () => {};
     private frame_ = 0;
+    /** False until the page has given the canvas its place: there is nothing to draw on before. */
+    private sized_ = false;
 
     constructor(options: PictureOptions) {
         this.orbit_ = options.orbit;
@@ -48,11 +57,16 @@ export class Picture {
             role: 'img',
             'aria-label': `${options.label}. Arrow keys turn it, plus and minus zoom.`,
         });
-        this.node = element('div', { class: 'pane' }, this.canvas);
+        this.stand.upAxis = options.up;
+        const up = upControl(options.up, (axis) => {
+            this.stand.upAxis = axis;
+            this.requestDraw();
+        });
+        this.node = element('div', { class: 'pane' }, this.canvas, up);
         this.renderer_ = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
         this.renderer_.setPixelRatio(Math.min(devicePixelRatio, kMostPixelRatio));
         this.addLights();
-        this.scene.add(this.camera);
+        this.scene_.add(this.stand, this.camera);
         const resized = new ResizeObserver(() => this.resize());
         resized.observe(this.node);
         this.undo_.push(
@@ -75,6 +89,7 @@ export class Picture {
     }
 
     requestDraw(): void {
+        this.canvas.dataset.picture = 'pending';
         if (this.frame_ === 0) {
             this.frame_ = requestAnimationFrame(() => this.draw());
         }
@@ -121,7 +136,7 @@ export class Picture {
         key.position.set(0.6, 1, 0.8);
         // On the camera: whatever side is looked at is lit.
         this.camera.add(key);
-        this.scene.add(new AmbientLight('#ffffff', 1.1));
+        this.scene_.add(new AmbientLight('#ffffff', 1.1));
     }
 
     private resize(): void {
@@ -129,6 +144,7 @@ export class Picture {
         if (clientWidth > 0 && clientHeight > 0) {
             this.renderer_.setSize(clientWidth, clientHeight, false);
             this.camera.aspect = clientWidth / clientHeight;
+            this.sized_ = true;
             this.draw();
         }
     }
@@ -136,6 +152,9 @@ export class Picture {
     private draw(): void {
         cancelAnimationFrame(this.frame_);
         this.frame_ = 0;
+        if (!this.sized_) {
+            return;
+        }
         // A picture narrower than high has to be taken from further back to show the whole sphere.
         const orbit = this.orbit_.orbit;
         const narrow = Math.max(1, 1 / this.camera.aspect);
@@ -146,6 +165,7 @@ export class Picture {
         this.camera.updateProjectionMatrix();
         this.camera.updateMatrixWorld(true);
         this.beforeDraw_();
-        this.renderer_.render(this.scene, this.camera);
+        this.renderer_.render(this.scene_, this.camera);
+        this.canvas.dataset.picture = 'drawn';
     }
 }

@@ -1,4 +1,5 @@
-import type { PreviewMesh, Skeleton } from '../api/types';
+import type { PreviewMesh, UpAxis } from '../api/elements';
+import type { Skeleton } from '../api/types';
 import { element } from '../page/element';
 import { OrbitSource } from './orbit_input';
 import { Pane } from './pane';
@@ -18,8 +19,15 @@ export function noWebGlNotice(): HTMLElement {
     );
 }
 
+export interface ViewedModel {
+    name: string;
+    mesh: PreviewMesh | null;
+    skeleton: Skeleton;
+    up: UpAxis;
+}
+
 /** One model alone, its skeleton in the page's accent colour. */
-export function queryView(name: string, skeleton: Skeleton, mesh: PreviewMesh | null): View {
+export function queryView({ name, mesh, skeleton, up }: ViewedModel): View {
     if (!hasWebGl()) {
         return { node: noWebGlNotice(), dispose: () => {} };
     }
@@ -30,6 +38,7 @@ export function queryView(name: string, skeleton: Skeleton, mesh: PreviewMesh | 
         branchColors: new Map(skeleton.branches.map((branch) => [branch.id, accent])),
         label: `${name} with its skeleton`,
         orbit: new OrbitSource(),
+        up,
         onHover: () => {},
     });
 }

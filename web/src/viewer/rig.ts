@@ -1,9 +1,14 @@
-import { Bone, type BufferGeometry, type Object3D, SkinnedMesh } from 'three';
+import { Bone, type BufferGeometry, type Object3D, SkinnedMesh, Vector3 } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+
+import type { Vector } from '../api/types';
 
 /** A model that moves with its bones, as the server's glTF says. */
 export interface Rig {
+    /** Holds the bones, in the file's frame. */
     root: Object3D;
+    /** From where the vertices are counted, in the file's frame. */
+    origin: Vector;
     /** By the number of the part. */
     parts: SkinnedMesh<BufferGeometry>[];
     /** Parents before children; the first holds all others. */
@@ -27,6 +32,15 @@ function partOf(mesh: SkinnedMesh): number {
     return Number(/^part (\d+)$/.exec(material?.name ?? '')?.[1] ?? 0);
 }
 
+/** Where the bones at rest take the vertices' zero; numbers of three.js' matrices are doubles. */
+function originOf(mesh: SkinnedMesh | undefined): Vector {
+    const [bone] = mesh?.skeleton.bones ?? [];
+    const [inverse] = mesh?.skeleton.boneInverses ?? [];
+    return bone && inverse
+        ? new Vector3().applyMatrix4(inverse).applyMatrix4(bone.matrixWorld).toArray()
+        : [0, 0, 0];
+}
+
 export async function loadRig(file: ArrayBuffer): Promise<Rig> {
     const { scene } = await new GLTFLoader().parseAsync(file, '');
     const parts: SkinnedMesh[] = [];
@@ -40,5 +54,5 @@ export async function loadRig(file: ArrayBuffer): Promise<Rig> {
     });
     parts.sort((a, b) => partOf(a) - partOf(b));
     scene.updateMatrixWorld(true);
-    return { root: scene, parts, bones };
+    return { root: scene, origin: originOf(parts[0]), parts, bones };
 }

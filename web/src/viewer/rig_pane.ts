@@ -1,5 +1,6 @@
 import { Raycaster, Vector2, Vector3 } from 'three';
 
+import type { UpAxis } from '../api/elements';
 import type { Skeleton } from '../api/types';
 import { JointHandles } from './joint_handles';
 import { kFirstOrbit } from './orbit';
@@ -16,6 +17,7 @@ export interface RigPaneOptions {
     skeleton: Skeleton;
     /** `#rrggbb` by the number of the part. */
     colors: readonly string[];
+    up: UpAxis;
     /** What a screen reader calls the picture. */
     label: string;
     /** The part under the pointer changed; null: none. */
@@ -39,11 +41,12 @@ export class RigPane {
         this.picture_ = new Picture({
             label: options.label,
             orbit: new OrbitSource(),
+            up: options.up,
             beforeDraw: () => this.joints_.place(),
         });
         this.model_ = new RigScene(options, readViewerTheme());
         this.pose_ = new Pose(options.rig.bones);
-        this.picture_.scene.add(this.model_.root);
+        this.picture_.stand.add(this.model_.root);
         this.joints_ = new JointHandles({
             handles,
             locate: (handle) => this.picture_.project(positionOf(handle.end)),

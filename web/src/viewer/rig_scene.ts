@@ -14,7 +14,7 @@ import {
 } from 'three';
 import { toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
-import type { Point, Skeleton } from '../api/types';
+import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
 import { frameOf } from './frame';
 import { positionOf } from './pose';
@@ -40,8 +40,8 @@ interface Part {
     color: string;
 }
 
-function pointsOf(parts: readonly SkinnedMesh<BufferGeometry>[]): Point[] {
-    const points: Point[] = [];
+function pointsOf(parts: readonly SkinnedMesh<BufferGeometry>[]): Vector[] {
+    const points: Vector[] = [];
     for (const { geometry } of parts) {
         const positions = geometry.getAttribute('position');
         for (let at = 0; at < positions.count; at++) {
@@ -69,11 +69,11 @@ export class RigScene {
     constructor(input: RigSceneInput, theme: ViewerTheme) {
         this.theme_ = theme;
         const { center, scale } = frameOf(pointsOf(input.rig.parts));
+        this.settle(input.rig);
         this.addTubes(input, scale);
         for (const [index, mesh] of input.rig.parts.entries()) {
             this.addPart(mesh, input.colors[index] ?? theme.unmatched);
         }
-        this.root.add(input.rig.root);
         this.root.scale.setScalar(scale);
         this.root.position.set(-center[0] * scale, -center[1] * scale, -center[2] * scale);
         this.root.updateMatrixWorld(true);
@@ -159,6 +159,19 @@ export class RigScene {
         }
     }
 
+    /** Brings bones and surface together about the vertices' zero, near which floats are fine. */
+    private settle({ root, origin, parts }: Rig): void {
+        root.position.set(-origin[0], -origin[1], -origin[2]);
+        // A skinned mesh lies where its bones take it, whatever it hangs on: on nothing far away.
+        for (const part of parts) {
+            part.position.set(0, 0, 0);
+            part.quaternion.identity();
+            part.scale.set(1, 1, 1);
+        }
+        this.root.add(root, ...parts);
+        root.updateMatrixWorld(true);
+    }
+
     private addPart(mesh: SkinnedMesh<BufferGeometry>, color: string): void {
         const smooth = mesh.geometry;
         const geometry = toCreasedNormals(smooth, kCreaseAngle);
@@ -198,14 +211,21 @@ export class RigScene {
             if (!branch) {
                 continue;
             }
-            const { positions, normals, indices } = buildTube(branch.points, kTubeRadius / scale);
+            const from = positionOf(bone);
+            const line = branch.points.map(
+                ([x, y, z]): Vector => [
+                    x - rig.origin[0] - from.x,
+                    y - rig.origin[1] - from.y,
+                    z - rig.origin[2] - from.z,
+                ],
+            );
+            const { positions, normals, indices } = buildTube(line, kTubeRadius / scale);
             const geometry = new BufferGeometry();
             geometry.setAttribute('position', new BufferAttribute(positions, 3));
             geometry.setAttribute('normal', new BufferAttribute(normals, 3));
             geometry.setIndex(new BufferAttribute(indices, 1));
             const material = new MeshStandardMaterial({ roughness: 0.6 });
             const tube = new Mesh(geometry, material);
-            tube.position.copy(positionOf(bone)).negate();
             tube.renderOrder = 5;
             bone.add(tube);
             this.tubes_.push(tube);

@@ -1,4 +1,4 @@
-import type { Point } from '../api/types';
+import type { Vector } from '../api/types';
 
 /** Ready for a vertex buffer: three numbers a vertex, three indices a triangle. */
 export interface Tube {
@@ -7,26 +7,26 @@ export interface Tube {
     indices: Uint32Array;
 }
 
-function subtract(a: Point, b: Point): Point {
+function subtract(a: Vector, b: Vector): Vector {
     return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
-function cross(a: Point, b: Point): Point {
+function cross(a: Vector, b: Vector): Vector {
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-function dot(a: Point, b: Point): number {
+function dot(a: Vector, b: Vector): number {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-function normalised(a: Point): Point {
+function normalised(a: Vector): Vector {
     const length = Math.hypot(...a);
     return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : [0, 0, 0];
 }
 
 /** Two equal points in a row have no direction between them. */
-function withoutRepeats(points: readonly Point[]): Point[] {
-    const kept: Point[] = [];
+function withoutRepeats(points: readonly Vector[]): Vector[] {
+    const kept: Vector[] = [];
     for (const point of points) {
         const last = kept.at(-1);
         if (point.every(Number.isFinite) && (!last || Math.hypot(...subtract(point, last)) > 0)) {
@@ -37,18 +37,18 @@ function withoutRepeats(points: readonly Point[]): Point[] {
 }
 
 /** Any direction square to `tangent`: the axis that it has least of shows where. */
-function anyNormal(tangent: Point): Point {
-    const size = tangent.map(Math.abs) as Point;
+function anyNormal(tangent: Vector): Vector {
+    const size = tangent.map(Math.abs) as Vector;
     const least = size.indexOf(Math.min(...size));
-    const axis: Point = [0, 0, 0];
+    const axis: Vector = [0, 0, 0];
     axis[least] = 1;
     return normalised(cross(tangent, axis));
 }
 
-function tangentAt(points: readonly Point[], index: number): Point {
-    const before = points[Math.max(0, index - 1)] as Point;
-    const here = points[index] as Point;
-    const after = points[Math.min(points.length - 1, index + 1)] as Point;
+function tangentAt(points: readonly Vector[], index: number): Vector {
+    const before = points[Math.max(0, index - 1)] as Vector;
+    const here = points[index] as Vector;
+    const after = points[Math.min(points.length - 1, index + 1)] as Vector;
     const mean = normalised(subtract(after, before));
     // A branch that turns straight back has no mean direction at its turning point.
     return dot(mean, mean) > 0 ? mean : normalised(subtract(after, here));
@@ -59,7 +59,7 @@ function tangentAt(points: readonly Point[], index: number): Point {
  * normal is the last one made square to the new direction). Fewer than two distinct points give an
  * empty tube. The ends stay open: the spheres of the nodes sit on them.
  */
-export function buildTube(line: readonly Point[], radius: number, sides = 10): Tube {
+export function buildTube(line: readonly Vector[], radius: number, sides = 10): Tube {
     const points = withoutRepeats(line);
     if (points.length < 2) {
         return {

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
+import { kRankers } from '../../src/api/elements';
 import {
     decodeSearch,
     encodeSearch,
@@ -8,7 +9,6 @@ import {
     kSearchDefaults,
     type SearchParameters,
 } from '../../src/api/search_parameters';
-import { kRankers } from '../../src/api/types';
 
 function* variants(): Generator<SearchParameters> {
     for (const ranker of kRankers) {

@@ -3,7 +3,16 @@ import { afterEach, expect, it, vi } from 'vitest';
 import { unreachable } from '../../src/api/problem';
 import { comparisonDialog } from '../../src/gallery/comparison_dialog';
 import type { ViewerDialog } from '../../src/gallery/viewer_dialog';
-import { clientWith, hit, kMesh, kSkeleton, searchResult, settled } from '../sample';
+import {
+    clientWith,
+    eventually,
+    hit,
+    kMesh,
+    kSkeleton,
+    model,
+    searchResult,
+    settled,
+} from '../sample';
 
 let dialog: ViewerDialog | null = null;
 
@@ -17,6 +26,7 @@ function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn()) {
         {
             query: searchResult().query,
             queryMesh: kMesh,
+            queryUp: 'y',
             hit: hit(1),
             previousHref: null,
             nextHref: '#/models/7/hits/102',
@@ -30,8 +40,12 @@ function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn()) {
 }
 
 it('shows the matched branches of query and hit', async () => {
-    const node = opened({ mesh: async () => kMesh, skeleton: async () => kSkeleton });
-    await vi.waitFor(() => expect(node.querySelectorAll('.match-table tbody tr')).toHaveLength(1));
+    const node = opened({
+        mesh: async () => kMesh,
+        skeleton: async () => kSkeleton,
+        model: async () => model(101),
+    });
+    await eventually(() => expect(node.querySelectorAll('.match-table tbody tr')).toHaveLength(1));
     expect(node.querySelector('.dialog-body')?.hasAttribute('aria-busy')).toBe(false);
 });
 
@@ -54,9 +68,10 @@ it('shows the problem where the hit has gone', async () => {
     const node = opened({
         mesh: () => Promise.reject(unreachable()),
         skeleton: async () => kSkeleton,
+        model: async () => model(101),
     });
     await settled();
-    await vi.waitFor(() =>
+    await eventually(() =>
         expect(node.querySelector('.notice-code')?.textContent).toBe('unreachable'),
     );
 });

@@ -4,7 +4,7 @@ import { ApiError, unreachable } from '../../src/api/problem';
 import { partsDialog } from '../../src/gallery/parts_dialog';
 import type { ViewerDialog } from '../../src/gallery/viewer_dialog';
 import { kSegments, rigFile } from '../rig_sample';
-import { clientWith, searchResult } from '../sample';
+import { clientWith, eventually, searchResult } from '../sample';
 
 let dialog: ViewerDialog | null = null;
 
@@ -15,7 +15,7 @@ afterEach(() => {
 
 function opened(methods: Parameters<typeof clientWith>[0]) {
     dialog = partsDialog(
-        { id: 7, query: searchResult().query, onClose: vi.fn() },
+        { id: 7, query: searchResult().query, up: 'y', onClose: vi.fn() },
         clientWith(methods),
     );
     document.body.append(dialog.node);
@@ -25,7 +25,7 @@ function opened(methods: Parameters<typeof clientWith>[0]) {
 
 it('shows the parts of the model', async () => {
     const node = opened({ segments: async () => kSegments, rig: async () => rigFile() });
-    await vi.waitFor(() => expect(node.querySelectorAll('.part-legend tbody tr')).toHaveLength(2));
+    await eventually(() => expect(node.querySelectorAll('.part-legend tbody tr')).toHaveLength(2));
     expect(node.querySelector('h2')?.textContent).toBe('Parts of elephant');
     expect(node.querySelector('.dialog-body')?.hasAttribute('aria-busy')).toBe(false);
 });
@@ -39,11 +39,11 @@ it('says why a model has no parts, and asks again', async () => {
     });
     const segments = vi.fn(async () => kSegments).mockRejectedValueOnce(none);
     const node = opened({ segments, rig: async () => rigFile() });
-    await vi.waitFor(() =>
+    await eventually(() =>
         expect(node.querySelector('.notice-code')?.textContent).toBe('segments_not_available'),
     );
     node.querySelector<HTMLButtonElement>('.notice button')?.click();
-    await vi.waitFor(() => expect(node.querySelector('.part-legend')).not.toBeNull());
+    await eventually(() => expect(node.querySelector('.part-legend')).not.toBeNull());
     expect(segments).toHaveBeenCalledTimes(2);
 });
 
@@ -52,7 +52,7 @@ it('shows the problem where the rig does not arrive', async () => {
         segments: async () => kSegments,
         rig: () => Promise.reject(unreachable()),
     });
-    await vi.waitFor(() =>
+    await eventually(() =>
         expect(node.querySelector('.notice-code')?.textContent).toBe('unreachable'),
     );
 });

@@ -5,7 +5,7 @@ import { kSearchDefaults } from '../../src/api/search_parameters';
 import { resultsPage } from '../../src/gallery/results_page';
 import type { Page } from '../../src/page/context';
 import { type Route, resultsOf } from '../../src/page/routes';
-import { contextWith, hit, kMesh, kSkeleton, searchResult, settled } from '../sample';
+import { contextWith, hit, kMesh, kSkeleton, model, searchResult, settled } from '../sample';
 
 type ResultsRoute = Extract<Route, { page: 'results' }>;
 
@@ -29,6 +29,7 @@ function client() {
         similar: vi.fn(async () => searchResult([hit(1), hit(2), hit(3)])),
         mesh: vi.fn(async () => kMesh),
         skeleton: vi.fn(async () => kSkeleton),
+        model: vi.fn(async () => model(7)),
     };
 }
 

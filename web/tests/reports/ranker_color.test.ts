@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { kRankers } from '../../src/api/types';
+import { kRankers } from '../../src/api/elements';
 
 import { rankerColor, rankerColorName } from '../../src/reports/ranker_color';
 import sheet from '../../src/styles/tokens.css?raw';

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
-import type { MatchedPair } from '../../src/api/types';
+import type { Pair } from '../../src/api/types';
 import { assignBranchColors, oklch, pairColor } from '../../src/viewer/branch_colors';
 import { randomNumbers, skeleton } from '../sample';
 
-function pairs(count: number, seed: number): MatchedPair[] {
+function pairs(count: number, seed: number): Pair[] {
     const random = randomNumbers(seed);
     const hits = Array.from({ length: count }, (_, index) => index).sort(() => random() - 0.5);
     return hits.map((b, a) => ({ a, b, cost: random() }));

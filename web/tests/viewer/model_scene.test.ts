@@ -1,6 +1,7 @@
-import { Box3, Mesh, type MeshStandardMaterial, type Object3D } from 'three';
+import { Box3, Group, Mesh, type MeshStandardMaterial, type Object3D } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 
+import type { Vector } from '../../src/api/types';
 import { ModelScene } from '../../src/viewer/model_scene';
 import { readViewerTheme } from '../../src/viewer/theme';
 import { kMesh, kSkeleton } from '../sample';
@@ -51,6 +52,47 @@ describe('ModelScene', () => {
                 expect(Math.abs(corner)).toBeLessThan(1.05);
             }
         }
+    });
+
+    it('shows a model far from the origin of its file as it shows one near it', () => {
+        const far: Vector = [4e7, -7e6, 3e5];
+        const moved = ([x, y, z]: Vector): Vector => [x + far[0], y + far[1], z + far[2]];
+        const model = new ModelScene(
+            {
+                mesh: { ...kMesh, origin: far },
+                skeleton: {
+                    ...kSkeleton,
+                    branches: kSkeleton.branches.map((branch) => ({
+                        ...branch,
+                        points: branch.points.map(moved),
+                    })),
+                    nodes: kSkeleton.nodes.map((node) => ({
+                        ...node,
+                        position: moved(node.position),
+                    })),
+                },
+                branchColors: new Map([[0, '#ff0000']]),
+            },
+            readViewerTheme(),
+        );
+        const near = meshes(scene().root);
+        expect(meshes(model.root)).toHaveLength(near.length);
+        for (const [at, mesh] of meshes(model.root).entries()) {
+            const box = new Box3().setFromObject(mesh, true);
+            const same = new Box3().setFromObject(near[at] as Mesh, true);
+            expect(box.min.distanceTo(same.min)).toBeLessThan(1e-6);
+            expect(box.max.distanceTo(same.max)).toBeLessThan(1e-6);
+        }
+    });
+
+    it('welds and creases alike, whatever the model’s own unit', () => {
+        const corners = [1e-6, 1, 1e6].map((size) => {
+            const positions = kMesh.positions.map((value) => value * size);
+            const model = scene([], { ...kMesh, positions });
+            const surface = model.root.children.find((child) => child instanceof Group);
+            return surface && meshes(surface)[0]?.geometry.getAttribute('position').count;
+        });
+        expect(corners).toEqual([12, 12, 12]);
     });
 
     it('colours matched branches, greys the others, and has a ball for each node', () => {

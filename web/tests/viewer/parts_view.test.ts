@@ -10,6 +10,7 @@ it('keeps its legend where there is no WebGL', async () => {
         skeleton: kSkeleton,
         segments: kSegments,
         rig: rigFile(),
+        up: 'z',
     });
     expect(view.node.querySelector('.no-webgl')).not.toBeNull();
     expect(view.node.querySelectorAll('.part-legend tbody tr')).toHaveLength(2);

@@ -16,7 +16,7 @@ describe('findHandles', () => {
     });
 
     it('finds none without branches', async () => {
-        expect(findHandles((await loadRig(rigFile(false))).bones)).toEqual([]);
+        expect(findHandles((await loadRig(rigFile({ withBranches: false }))).bones)).toEqual([]);
     });
 });
 

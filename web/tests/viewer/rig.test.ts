@@ -11,6 +11,12 @@ it('finds the parts in their order and the bones with their branches', async () 
     expect(rig.bones.map(branchOf)).toEqual([null, 0, 1, null]);
 });
 
+it('knows from where vertices are counted, to the last place', async () => {
+    expect((await loadRig(rigFile())).origin).toEqual([0, 0, 0]);
+    const far = await loadRig(rigFile({ origin: [4123456.789, -7e6, 0.5] }));
+    expect(far.origin).toEqual([4123456.789, -7e6, 0.5]);
+});
+
 it('refuses what is no glTF', async () => {
     await expect(loadRig(new TextEncoder().encode('<html>').buffer)).rejects.toThrow();
 });

@@ -1,6 +1,15 @@
-import { Mesh, type MeshStandardMaterial, Raycaster, SkinnedMesh, Vector3 } from 'three';
+import {
+    Box3,
+    Mesh,
+    type MeshStandardMaterial,
+    type Object3D,
+    Raycaster,
+    SkinnedMesh,
+    Vector3,
+} from 'three';
 import { describe, expect, it, vi } from 'vitest';
 
+import type { Vector } from '../../src/api/types';
 import { findHandles, Pose } from '../../src/viewer/pose';
 import { loadRig } from '../../src/viewer/rig';
 import { RigScene } from '../../src/viewer/rig_scene';
@@ -19,6 +28,16 @@ async function made() {
 function vertex(mesh: SkinnedMesh, index: number): Vector3 {
     const point = new Vector3().fromBufferAttribute(mesh.geometry.getAttribute('position'), index);
     return mesh.applyBoneTransform(index, point).applyMatrix4(mesh.matrixWorld);
+}
+
+function tubesOf(root: Object3D): Mesh[] {
+    const tubes: Mesh[] = [];
+    root.traverse((object) => {
+        if (object instanceof Mesh && !(object instanceof SkinnedMesh)) {
+            tubes.push(object);
+        }
+    });
+    return tubes;
 }
 
 const colorOf = (mesh: SkinnedMesh) => (mesh.material as MeshStandardMaterial).color.getHexString();
@@ -82,6 +101,44 @@ describe('RigScene', () => {
         expect(rig.parts.map(colorOf)[1]).toBe('00aa00');
         scene.highlight(null);
         expect(rig.parts.map(colorOf)).toEqual(['aa0000', '00aa00']);
+    });
+
+    it('shows a model far from the origin of its file as it shows one near it', async () => {
+        const far: Vector = [4e7, -7e6, 3e5];
+        const moved = ([x, y, z]: Vector): Vector => [x + far[0], y + far[1], z + far[2]];
+        const branches = kSkeleton.branches.map((branch) => ({
+            ...branch,
+            points: branch.points.map(moved),
+        }));
+        const rig = await loadRig(rigFile({ origin: far }));
+        const scene = new RigScene(
+            { rig, skeleton: { ...kSkeleton, branches }, colors: [] },
+            readViewerTheme(),
+        );
+        scene.root.updateMatrixWorld(true);
+        const near = await made();
+        near.scene.root.updateMatrixWorld(true);
+        for (const [part, mesh] of rig.parts.entries()) {
+            const same = near.rig.parts[part] as SkinnedMesh;
+            for (const corner of [0, 1, 2]) {
+                expect(vertex(mesh, corner).distanceTo(vertex(same, corner))).toBeLessThan(1e-6);
+            }
+            // What the graphics card is given: all of it as floats.
+            for (const matrix of [
+                mesh.matrixWorld,
+                ...mesh.skeleton.bones.map((b) => b.matrixWorld),
+            ]) {
+                expect(Math.max(...matrix.elements.map(Math.abs))).toBeLessThan(10);
+            }
+        }
+        const tubes = (root: typeof scene.root) =>
+            tubesOf(root).map((tube) => new Box3().setFromObject(tube, true));
+        for (const [at, box] of tubes(scene.root).entries()) {
+            const same = tubes(near.scene.root)[at] as Box3;
+            expect(box.min.distanceTo(same.min)).toBeLessThan(1e-6);
+            expect(box.max.distanceTo(same.max)).toBeLessThan(1e-6);
+        }
+        expect(tubesOf(scene.root)).toHaveLength(2);
     });
 
     it('gives all graphics memory back', async () => {

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 
-import type { Point } from '../../src/api/types';
+import type { Vector } from '../../src/api/types';
 import { distanceToSegment } from '../../src/viewer/pick';
 import { buildTube } from '../../src/viewer/tube';
 import { randomNumbers } from '../sample';
 
-function vertices(values: Float32Array): Point[] {
+function vertices(values: Float32Array): Vector[] {
     return Array.from({ length: values.length / 3 }, (_, at) => [
         values[3 * at] ?? Number.NaN,
         values[3 * at + 1] ?? Number.NaN,
@@ -13,7 +13,7 @@ function vertices(values: Float32Array): Point[] {
     ]);
 }
 
-function helix(count: number): Point[] {
+function helix(count: number): Vector[] {
     return Array.from({ length: count }, (_, at) => [Math.cos(at / 4), at / 10, Math.sin(at / 4)]);
 }
 
@@ -23,7 +23,7 @@ describe('buildTube', () => {
         const sides = 8;
         const { positions, normals } = buildTube(line, 0.05, sides);
         for (const [index, point] of vertices(positions).entries()) {
-            const center = line[Math.floor(index / sides)] as Point;
+            const center = line[Math.floor(index / sides)] as Vector;
             expect(
                 Math.hypot(...point.map((value, axis) => value - (center[axis] ?? 0))),
             ).toBeCloseTo(0.05, 5);
@@ -48,19 +48,19 @@ describe('buildTube', () => {
         const at = vertices(positions);
         const outwards = vertices(normals);
         for (let index = 0; index < indices.length; index += 3) {
-            const [a, b, c] = [0, 1, 2].map((k) => at[indices[index + k] ?? 0] as Point) as [
-                Point,
-                Point,
-                Point,
+            const [a, b, c] = [0, 1, 2].map((k) => at[indices[index + k] ?? 0] as Vector) as [
+                Vector,
+                Vector,
+                Vector,
             ];
-            const u = b.map((value, axis) => value - (a[axis] ?? 0)) as Point;
-            const v = c.map((value, axis) => value - (a[axis] ?? 0)) as Point;
-            const face: Point = [
+            const u = b.map((value, axis) => value - (a[axis] ?? 0)) as Vector;
+            const v = c.map((value, axis) => value - (a[axis] ?? 0)) as Vector;
+            const face: Vector = [
                 u[1] * v[2] - u[2] * v[1],
                 u[2] * v[0] - u[0] * v[2],
                 u[0] * v[1] - u[1] * v[0],
             ];
-            const normal = outwards[indices[index] ?? 0] as Point;
+            const normal = outwards[indices[index] ?? 0] as Vector;
             expect(face[0] * normal[0] + face[1] * normal[1] + face[2] * normal[2]).toBeGreaterThan(
                 0,
             );
@@ -72,16 +72,16 @@ describe('buildTube', () => {
         const sides = 8;
         const points = vertices(buildTube(line, 0.05, sides).positions);
         for (let index = 0; index + sides < points.length; index++) {
-            const [one, next] = [points[index] as Point, points[index + sides] as Point];
+            const [one, next] = [points[index] as Vector, points[index + sides] as Vector];
             const step = Math.hypot(...one.map((value, axis) => value - (next[axis] ?? 0)));
             expect(step).toBeLessThan(0.32);
         }
     });
 
-    it.each<[string, Point[]]>([
+    it.each<[string, Vector[]]>([
         ['nothing', []],
         ['one point', [[1, 2, 3]]],
-        ['one point again and again', Array.from({ length: 5 }, (): Point => [1, 2, 3])],
+        ['one point again and again', Array.from({ length: 5 }, (): Vector => [1, 2, 3])],
         [
             'no numbers',
             [
@@ -97,7 +97,7 @@ describe('buildTube', () => {
 
     it('stays finite on repeated points, straight lines, sharp turns and closed loops', () => {
         const random = randomNumbers(3);
-        const lines: Point[][] = [
+        const lines: Vector[][] = [
             [
                 [0, 0, 0],
                 [0, 0, 0],
@@ -120,7 +120,7 @@ describe('buildTube', () => {
                 [1, 1, 0],
                 [0, 0, 0],
             ],
-            Array.from({ length: 50 }, () => [random(), random(), random()] as Point),
+            Array.from({ length: 50 }, () => [random(), random(), random()] as Vector),
         ];
         for (const line of lines) {
             const { positions, normals } = buildTube(line, 0.1);

@@ -1,12 +1,13 @@
 import { afterEach, beforeEach, expect, it } from 'vitest';
 
-import { startApp } from '../../src/page/app';
-import { clientWith, evaluation, hit, kMesh, model, searchResult, settled } from '../sample';
+import { startApp } from '../src/app';
+import { clientWith, evaluation, hit, kMesh, model, searchResult, settled } from './sample';
 
 const client = clientWith({
     models: async () => ({ models: [model(7)], next_cursor: null, total: 1, revision: 1 }),
     similar: async () => searchResult([hit(1)]),
     mesh: async () => kMesh,
+    model: async () => model(7),
     evaluation: async (ranker) => evaluation({ ranker }),
 });
 

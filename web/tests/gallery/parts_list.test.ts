@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 
-import { partsList } from '../../src/viewer/parts_list';
+import { partsList } from '../../src/gallery/parts_list';
 
 it('shows each part with its value and its share', () => {
     const node = partsList({ skeleton_match: 0.3, moments: 0.1 });

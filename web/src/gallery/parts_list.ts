@@ -1,4 +1,4 @@
-import { partClass, partShares } from '../gallery/distance_parts';
+import { partClass, partShares } from './distance_parts';
 import { element } from '../page/element';
 import { capitalise, formatDistance, formatName } from '../page/format';
 

@@ -1,13 +1,13 @@
-import { type Client, createClient } from '../api/client';
-import { homePage } from '../gallery/home_page';
-import { resultsPage } from '../gallery/results_page';
-import { reportsPage } from '../reports/reports_page';
-import type { Context, Page } from './context';
-import { element, replace } from './element';
-import { header } from './header';
-import { KnownClasses } from './known_classes';
-import { emptyNotice } from './problem_notice';
-import { formatRoute, kHome, parseRoute, type Route } from './routes';
+import { type Client, createClient } from './api/client';
+import { homePage } from './gallery/home_page';
+import { resultsPage } from './gallery/results_page';
+import { reportsPage } from './reports/reports_page';
+import type { Context, Page } from './page/context';
+import { element, replace } from './page/element';
+import { header } from './page/header';
+import { KnownClasses } from './page/known_classes';
+import { emptyNotice } from './page/problem_notice';
+import { formatRoute, kHome, parseRoute, type Route } from './page/routes';
 
 export interface AppOptions {
     client: Client;

@@ -1,0 +1,40 @@
+import { Group } from 'three';
+
+import type { UpAxis } from '../api/elements';
+import { element } from '../page/element';
+
+const kAxes: readonly UpAxis[] = ['y', 'z'];
+
+/** A model's place in a scene whose y axis points up. */
+export class Stand extends Group {
+    /** Turns what stands here so that this axis of the file points up. */
+    set upAxis(up: UpAxis) {
+        this.rotation.set(up === 'z' ? -Math.PI / 2 : 0, 0, 0);
+        this.updateMatrixWorld(true);
+    }
+}
+
+/** Two buttons that say which axis of the file points up in a picture, and change it. */
+export function upControl(first: UpAxis, onChange: (up: UpAxis) => void): HTMLElement {
+    const buttons = kAxes.map((axis) => {
+        const button = element('button', {
+            type: 'button',
+            value: axis,
+            'aria-pressed': String(axis === first),
+            title: `Show the model with its ${axis} axis up`,
+        });
+        button.append(`${axis} up`);
+        button.addEventListener('click', () => {
+            for (const each of buttons) {
+                each.setAttribute('aria-pressed', String(each === button));
+            }
+            onChange(axis);
+        });
+        return button;
+    });
+    return element(
+        'div',
+        { class: 'segmented up-control', role: 'group', 'aria-label': 'Axis that points up' },
+        buttons,
+    );
+}
