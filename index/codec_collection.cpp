@@ -7,6 +7,7 @@
 #include "index/blob.h"
 #include "index/bytes.h"
 #include "index/codec.h"
+#include "index/json_text.h"
 
 namespace ossuary::index {
 
@@ -123,7 +124,7 @@ std::string encode_warnings(const std::vector<mesh::MeshWarning>& warnings) {
             {{"code", warning.code}, {"count", warning.count}, {"message", warning.message}});
     }
     // Messages may quote a file's bytes: what is not UTF-8 is replaced.
-    return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return json_text(list);
 }
 
 Result<std::vector<mesh::MeshWarning>> decode_warnings(std::string_view text) {

@@ -9,7 +9,8 @@
 #include "engine/mesh/read_mesh.h"
 #include "index/content_hash.h"
 #include "index/model_segments.h"
-#include "index/thumbnail/thumbnail.h"
+#include "index/turn_model.h"
+#include "index/upright.h"
 
 namespace ossuary::index {
 
@@ -17,9 +18,9 @@ namespace {
 
 constexpr std::size_t kPreviewTriangles = 2000;
 
-Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
-                                  const IndexParameters& parameters, std::stop_token stop) {
-    auto read = mesh::read_mesh(bytes, name);
+Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
+                                  std::stop_token stop) {
+    auto read = mesh::read_mesh(source.bytes, source.name);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     auto description = descriptor::describe(mesh, describe_options(parameters), stop);
@@ -27,7 +28,7 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
 
     NewModel model;
     const mesh::MeshMeasures measures = mesh::measure(mesh);
-    model.summary.content_hash = content_hash(bytes);
+    model.summary.content_hash = content_hash(source.bytes);
     model.summary.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     model.summary.faces = mesh.face_count;
     model.summary.bounds = measures.bounds;
@@ -39,7 +40,8 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
     model.skeleton = std::move(description->skeleton);
     const mesh::TriangleMesh coarse = mesh::decimate(mesh, {.max_triangles = kPreviewTriangles});
     model.preview = make_preview(coarse);
-    auto thumbnail = render_thumbnail(mesh);
+    model.summary.orientation = {source.up ? *source.up : find_up(coarse), source.up.has_value()};
+    auto thumbnail = render_thumbnail(mesh, thumbnail_options(model.summary.orientation.up));
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);
     } else {
@@ -51,14 +53,14 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
 
 }  // namespace
 
-Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
-                                const IndexParameters& parameters, std::stop_token stop) {
+Result<NewModel> describe_model(const ModelSource& source, const IndexParameters& parameters,
+                                std::stop_token stop) {
     try {
-        return describe_checked(bytes, name, parameters, stop);
+        return describe_checked(source, parameters, stop);
     } catch (const std::bad_alloc&) {
-        return {ErrorCode::kOutOfMemory, std::string(name) + ": not enough memory"};
+        return {ErrorCode::kOutOfMemory, std::string(source.name) + ": not enough memory"};
     } catch (const std::exception& exception) {
-        return {ErrorCode::kInternal, std::string(name) + ": " + exception.what()};
+        return {ErrorCode::kInternal, std::string(source.name) + ": " + exception.what()};
     }
 }
 

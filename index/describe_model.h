@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string_view>
 
@@ -8,12 +9,19 @@
 
 namespace ossuary::index {
 
-/// From a model file's bytes to all that an index keeps of it; `name` stands for the file in
-/// messages. The summary's path, name and class are left to the caller. What only viewers ask for
-/// may be missing, with a warning: the thumbnail, and the parts (see add_segments).
+/// A model file.
+struct ModelSource {
+    std::string_view bytes;
+    std::string_view name;      ///< stands for the file in messages
+    std::optional<Up> up = {};  ///< as a person has said; none = to be found (find_up)
+};
+
+/// From a model file to all that an index keeps of it. The summary's path, name and class are left
+/// to the caller. What only viewers ask for may be missing, with a warning: the thumbnail, and the
+/// parts (see add_segments).
 /// Errors: those of read_mesh and describe, out_of_memory, internal; never an exception.
-Result<NewModel> describe_model(std::string_view bytes, std::string_view name,
-                                const IndexParameters& parameters, std::stop_token stop = {});
+Result<NewModel> describe_model(const ModelSource& source, const IndexParameters& parameters,
+                                std::stop_token stop = {});
 
 /// Cuts a described model into parts, the last and least needed stage of its description: where
 /// that fails or `stop` is requested, the model gets the warning kSegmentsMissing instead.

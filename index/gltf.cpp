@@ -9,6 +9,7 @@
 
 #include "engine/mesh/vertex_normals.h"
 #include "index/coloured_parts.h"
+#include "index/json_text.h"
 
 namespace ossuary::index {
 namespace {
@@ -50,7 +51,7 @@ public:
 
     std::string take() {
         document_["buffers"] = json::array({{{"byteLength", bytes_.size()}}});
-        std::string text = document_.dump();
+        std::string text = json_text(document_);
         text.resize((text.size() + 3) / 4 * 4, ' ');
         std::string glb;
         const auto word = [&](std::uint32_t value) {

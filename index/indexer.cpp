@@ -5,6 +5,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/stopwatch.h"
+#include "engine/core/text.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/content_hash.h"
 #include "index/describe_model.h"
@@ -13,6 +14,7 @@
 #include "index/ordered_pipeline.h"
 #include "index/snapshot.h"
 #include "index/timestamp.h"
+#include "index/turn_model.h"
 
 namespace ossuary::index {
 
@@ -24,11 +26,6 @@ namespace fs = std::filesystem;
 /// does not hold up the others, little enough to fit (some 100 KB each).
 constexpr std::size_t kWindow = 64;
 
-bool file_exists(const fs::path& path) {
-    std::error_code error;
-    return fs::exists(path, error);
-}
-
 /// What a worker found out about one file.
 struct FileOutcome {
     enum class Kind { kDescribed, kUnchanged, kMoved, kKnownFailure, kFailed, kBroken, kCancelled };
@@ -36,6 +33,7 @@ struct FileOutcome {
     std::string content_hash;
     NewModel model;                    ///< described
     std::vector<ModelSummary> models;  ///< unchanged: the model; moved: those with the same bytes
+    std::optional<TurnModel> turn;     ///< unchanged: what makes it stand as was asked for
     bool had_failed = false;           ///< unchanged: could not be read at some time since
     Error error;                       ///< failed: of the file; broken: of the index
 };
@@ -54,15 +52,19 @@ public:
 
 private:
     FileOutcome process(const fs::path& path);
-    FileOutcome describe_file(const fs::path& path, const std::string& bytes, std::string hash);
+    FileOutcome describe_file(const fs::path& path, const std::string& bytes, std::optional<Up> up);
     bool consume(const fs::path& path, FileOutcome outcome);
     void put(const fs::path& path, NewModel model);
     void fail(const fs::path& path, const std::string& hash, const Error& error);
     void keep(const ModelSummary& model, const fs::path& path);
     void move(const fs::path& path, FileOutcome outcome);
+    void turn(const ModelSummary& model, FileOutcome& outcome);
+    void take_turn(std::optional<TurnModel> turn);
     bool change(Change change);
     bool flush();
     void report(const fs::path& path);
+    Result<void> find_files();
+    Result<std::vector<ModelSummary>> all_models();
     Result<void> prune();
 
     [[nodiscard]] std::optional<std::string> class_of(const fs::path& path) const {
@@ -76,7 +78,9 @@ private:
     ProgressSink& sink_;
     std::stop_token stop_;
     ModelTimer timer_;
-    std::vector<fs::path> files_;
+    std::vector<fs::path> roots_;
+    FoundFiles found_;
+    std::vector<std::string> paths_before_;  ///< of all models, where pruning asks for them
     std::map<std::string, std::string> classes_;
     std::vector<Change> pending_;
     std::set<ModelId> moved_;  ///< in this run, so that one model moves once
@@ -113,26 +117,43 @@ FileOutcome IndexRun::process(const fs::path& path) {
     if (work->kind == Work::Kind::kUnchanged) {
         outcome.kind = FileOutcome::Kind::kUnchanged;
         outcome.had_failed = work->failure.has_value();
+        turn(work->models.front(), outcome);
     } else if (work->kind == Work::Kind::kKnownFailure && !options_.retry_failed) {
         outcome.kind = FileOutcome::Kind::kKnownFailure;
     } else if (same_content &&
                std::any_of(work->models.begin(), work->models.end(), [](const ModelSummary& model) {
-                   return !model.path.empty() && !file_exists(model.path);
+                   return !model.path.empty() && is_gone(model.path);
                })) {
         outcome.kind = FileOutcome::Kind::kMoved;
     } else {
-        return describe_file(path, *bytes, std::move(outcome.content_hash));
+        const bool was_told = work->earlier && work->earlier->orientation.said_by_person;
+        return describe_file(
+            path, *bytes,
+            was_told && !options_.up ? std::optional(work->earlier->orientation.up) : options_.up);
     }
     outcome.models = std::move(work->models);
     return outcome;
 }
 
+/// Adds what makes an indexed model stand as was asked for, if it does not.
+void IndexRun::turn(const ModelSummary& model, FileOutcome& outcome) {
+    if (!options_.up || model.orientation == Orientation{*options_.up, true}) return;
+    auto planned = plan_turn(store_, model.id, options_.up);
+    if (planned) {
+        outcome.turn = *std::move(planned);
+    } else {
+        outcome.kind = FileOutcome::Kind::kBroken;
+        outcome.error = planned.error();
+    }
+}
+
 FileOutcome IndexRun::describe_file(const fs::path& path, const std::string& bytes,
-                                    std::string hash) {
+                                    std::optional<Up> up) {
     FileOutcome outcome;
-    outcome.content_hash = std::move(hash);
+    outcome.content_hash = content_hash(bytes);
     const ModelTimer::Watch watch(timer_, stop_);
-    auto model = describe_model(bytes, path.string(), store_.parameters(), watch.token());
+    const std::string name = path.string();
+    auto model = describe_model({bytes, name, up}, store_.parameters(), watch.token());
     // An interrupted run leaves no model behind that is short of its parts.
     if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
@@ -167,6 +188,7 @@ bool IndexRun::consume(const fs::path& path, FileOutcome outcome) {
             break;
         case Kind::kUnchanged:
             keep(outcome.models.front(), path);
+            take_turn(std::move(outcome.turn));
             if (outcome.had_failed) change(ForgetFailure{path.string()});
             break;
         case Kind::kMoved:
@@ -209,21 +231,34 @@ void IndexRun::keep(const ModelSummary& model, const fs::path& path) {
 
 void IndexRun::move(const fs::path& path, FileOutcome outcome) {
     for (const ModelSummary& model : outcome.models) {
-        if (model.path.empty() || file_exists(model.path) || moved_.contains(model.id)) continue;
+        if (model.path.empty() || !is_gone(model.path) || moved_.contains(model.id)) continue;
         moved_.insert(model.id);
         ++outcome_.moved;
+        FileOutcome turned;
+        turn(model, turned);
+        if (turned.kind == FileOutcome::Kind::kBroken) {
+            error_ = std::move(turned.error);
+            return;
+        }
         change(MoveModel{model.id, path.string(), path.stem().string(), class_of(path)});
+        take_turn(std::move(turned.turn));
         return;
     }
     // Another path of this run has taken the model's place.
     auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
     if (!bytes) return fail(path, "", bytes.error());
-    FileOutcome described = describe_file(path, *bytes, content_hash(*bytes));
+    FileOutcome described = describe_file(path, *bytes, options_.up);
     if (described.kind == FileOutcome::Kind::kDescribed) {
         put(path, std::move(described.model));
     } else if (described.kind == FileOutcome::Kind::kFailed) {
         fail(path, described.content_hash, described.error);
     }
+}
+
+void IndexRun::take_turn(std::optional<TurnModel> turn) {
+    if (!turn) return;
+    ++outcome_.turned;
+    change(*std::move(turn));
 }
 
 bool IndexRun::change(Change change) {
@@ -256,25 +291,48 @@ void IndexRun::report(const fs::path& path) {
     sink_.progress(progress_);
 }
 
-Result<void> IndexRun::prune() {
-    std::vector<fs::path> roots;
-    for (const fs::path& path : options_.paths) roots.push_back(index_path(path));
-    const auto gone = [&](const std::string& path) {
-        return !path.empty() && is_under(path, roots) && !file_exists(path);
-    };
-    const auto page =
-        store_.models({.after = 0, .limit = 0, .class_name = {}, .name_contains = {}});
+Result<std::vector<ModelSummary>> IndexRun::all_models() {
+    auto page = store_.models({.after = 0, .limit = 0, .class_name = {}, .name_contains = {}});
     if (!page) return page.error();
-    for (const ModelSummary& model : page->models) {
-        if (!gone(model.path)) continue;
-        ++outcome_.pruned;
-        change(RemoveModel{model.id});
+    return std::move(page->models);
+}
+
+Result<void> IndexRun::find_files() {
+    for (const fs::path& path : options_.paths) roots_.push_back(index_path(path));
+    if (options_.prune != Prune::kNo) {
+        const auto models = all_models();
+        if (!models) return models.error();
+        for (const ModelSummary& model : *models) paths_before_.push_back(model.path);
     }
+    auto found = find_model_files(options_.paths, options_.walk, stop_);
+    if (!found) return found.error();
+    found_ = *std::move(found);
+    for (const fs::path& root : found_.missing) {
+        const bool is_known = std::any_of(
+            paths_before_.begin(), paths_before_.end(),
+            [&](const std::string& path) { return !path.empty() && is_under(path, {root}); });
+        if (!is_known) {
+            return {ErrorCode::kFileNotFound, root.string() + ": no such file or folder"};
+        }
+    }
+    outcome_.files = progress_.total = found_.files.size();
+    outcome_.passed_over = found_.passed_over;
+    outcome_.unreadable = found_.unreadable;
+    sink_.found(found_);
+    return {};
+}
+
+Result<void> IndexRun::prune() {
+    const auto models = all_models();
+    if (!models) return models.error();
     const auto failures = store_.failures();
     if (!failures) return failures.error();
-    for (const Failure& failure : *failures) {
-        if (gone(failure.path)) change(ForgetFailure{failure.path});
-    }
+    PrunePlan plan = plan_prune({paths_before_, *models, *failures}, roots_, found_, options_.walk,
+                                options_.prune == Prune::kForce);
+    for (const ModelId id : plan.models) change(RemoveModel{id});
+    for (std::string& path : plan.failures) change(ForgetFailure{std::move(path)});
+    outcome_.pruned = plan.models.size();
+    outcome_.refusals = std::move(plan.refusals);
     if (!flush()) return *error_;
     return {};
 }
@@ -287,27 +345,22 @@ Result<IndexOutcome> IndexRun::run() {
                                                  std::to_string(kPipelineVersion) +
                                                  "; index into a new file"};
     }
-    auto files = find_model_files(options_.paths);
-    if (!files) return files.error();
-    files_ = *std::move(files);
-    if (options_.classes) classes_ = classes_by_file_name(*options_.classes, files_);
-    outcome_.files = files_.size();
-    progress_.total = files_.size();
-    sink_.phase("indexing " + std::to_string(files_.size()) + " files");
+    if (const auto found = find_files(); !found) return found.error();
+    const std::vector<fs::path>& files = found_.files;
+    if (options_.classes) classes_ = classes_by_file_name(*options_.classes, files);
+    sink_.phase("indexing " + std::to_string(files.size()) + " files");
 
     run_in_order<FileOutcome>(
-        files_.size(), resolve_jobs(options_.jobs), kWindow,
-        [this](std::size_t i) { return process(files_[i]); },
-        [this](std::size_t i, FileOutcome outcome) {
-            return consume(files_[i], std::move(outcome));
-        });
+        files.size(), resolve_jobs(options_.jobs), kWindow,
+        [&](std::size_t i) { return process(files[i]); },
+        [&](std::size_t i, FileOutcome outcome) { return consume(files[i], std::move(outcome)); });
     if (!flush()) return *error_;
     if (stop_.stop_requested()) {
         return {ErrorCode::kCancelled,
                 "indexing was stopped after " + std::to_string(progress_.done) + " of " +
                     std::to_string(progress_.total) + " files; what is done is kept"};
     }
-    if (options_.prune) {
+    if (options_.prune != Prune::kNo) {
         if (const auto pruned = prune(); !pruned) return pruned.error();
     }
     sink_.phase("computing the collection's statistics");
@@ -321,12 +374,12 @@ Result<IndexOutcome> IndexRun::run() {
     return outcome_;
 }
 
-/// What may stand as a name: no control characters, no more than a line.
-std::string clean_name(const std::string& name) {
-    std::string clean;
-    for (const char c : name.substr(0, 200)) {
-        if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7F) clean += c;
-    }
+/// What may stand as an upload's name: UTF-8 without control characters, no more than a line.
+std::string clean_name(std::string_view name) {
+    constexpr std::size_t kLongest = 200;  // bytes
+    std::string clean = valid_utf8(name);
+    std::erase_if(clean, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; });
+    clean.resize(cut_utf8(clean, kLongest).size());
     return clean.empty() ? "model" : clean;
 }
 
@@ -339,7 +392,7 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
 
 Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
                                  std::stop_token stop) {
-    auto model = describe_model(upload.bytes, upload.name, parameters, std::move(stop));
+    auto model = describe_model({upload.bytes, upload.name}, parameters, std::move(stop));
     if (!model) return model;
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;

@@ -12,19 +12,33 @@
 #include "engine/core/result.h"
 #include "engine/ranking/classification.h"
 #include "index/model.h"
+#include "index/model_files.h"
+#include "index/prune.h"
 #include "index/snapshot.h"
 #include "index/store.h"
 #include "index/upload.h"
 
 namespace ossuary::index {
 
+/// Whether models under the paths of a run are removed whose files are gone or passed over.
+enum class Prune {
+    kNo,
+    kYes,    ///< but see plan_prune for places that may only be out of reach
+    kForce,  ///< those too
+};
+
 struct IndexOptions {
-    /// Files (any) and folders (walked for model files, sorted); each must exist.
+    /// Files (any) and folders (walked for model files, see find_model_files). Each must exist, but
+    /// for one that the index has models of where pruning is asked for.
     std::vector<std::filesystem::path> paths;
+    WalkOptions walk;
     std::optional<ranking::Classification>
-        classes;                ///< names the models' classes; id N is N.off or mN.off
-    int jobs = 0;               ///< models described at once; 0 = hardware threads
-    bool prune = false;         ///< remove the models under `paths` whose files are gone
+        classes;   ///< names the models' classes; id N is N.off or mN.off
+    int jobs = 0;  ///< models described at once; 0 = hardware threads
+    Prune prune = Prune::kNo;
+    /// The axis that points up in all models under `paths`, also in those already indexed; none =
+    /// found for each new one, and others stay as they are.
+    std::optional<Up> up;
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     /// A model that takes longer is recorded as `cancelled` (seen between the stages of its
     /// description), or indexed without parts if only those were missing; 0 = for ever.
@@ -49,6 +63,8 @@ struct IndexProgress {
 class ProgressSink {
 public:
     virtual ~ProgressSink() = default;
+    /// What there is to index, before the first model.
+    virtual void found(const FoundFiles&) {}
     virtual void progress(const IndexProgress&) {}
     virtual void failed(const Failure&) {}
     /// What goes on besides single models: "computing statistics of 380 models"
@@ -63,7 +79,11 @@ struct IndexOutcome {
     std::size_t failed = 0;          ///< failed now
     std::size_t known_failures = 0;  ///< skipped, failed before with the same bytes
     std::size_t classified = 0;      ///< unchanged models whose class changed
+    std::size_t turned = 0;          ///< models already indexed that got the axis that was named
     std::size_t pruned = 0;
+    PassedOver passed_over;
+    std::vector<UnreadableFolder> unreadable;
+    std::vector<PruneRefusal> refusals;  ///< what was not pruned, though asked for
     Revision revision = 0;
     double seconds = 0.0;
 };
@@ -71,8 +91,8 @@ struct IndexOutcome {
 /// Brings the index up to date with the files under `options.paths`. A model that fails is recorded
 /// and the rest goes on. The outcome in the index is the same for every number of jobs, and after a
 /// kill the next run goes on where the last one's final transaction ended.
-/// Errors: file_not_found for a path that does not exist, those of the store, cancelled when `stop`
-/// was requested (what is done by then stays).
+/// Errors: file_not_found for a path that does not exist (before anything is done), those of the
+/// store, cancelled when `stop` was requested (what is done by then stays).
 Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, ProgressSink& sink,
                                   std::stop_token stop = {});
 

@@ -13,6 +13,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeleton_graph.h"
 #include "engine/skeleton/thinning.h"
+#include "index/up.h"
 
 namespace ossuary::index {
 
@@ -38,6 +39,15 @@ struct IndexParameters {
 /// The stages' options that `parameters` stand for.
 [[nodiscard]] descriptor::DescribeOptions describe_options(const IndexParameters& parameters);
 
+/// Which way a model stands: by what axis of its file, and whether a person has said so or the
+/// program found it. Only pictures and viewers ask.
+struct Orientation {
+    Up up = Up::kY;
+    bool said_by_person = false;
+
+    bool operator==(const Orientation&) const = default;
+};
+
 /// What lists and pages show of a model.
 struct ModelSummary {
     ModelId id = 0;
@@ -51,6 +61,7 @@ struct ModelSummary {
     std::uint32_t branches = 0;  ///< of the refined skeleton
     Box3 bounds;                 ///< model units
     double surface_area = 0.0;   ///< model units squared
+    Orientation orientation;
     std::vector<mesh::MeshWarning> warnings;
     std::string indexed_at;  ///< ISO 8601, UTC, e.g. 2026-01-01T00:00:00Z
 };

@@ -10,25 +10,6 @@ namespace ossuary::index {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Adds the model files below a folder; what cannot be read is passed over.
-void walk(const fs::path& folder, std::vector<fs::path>& files) {
-    std::error_code error;
-    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
-                                           error);
-    const fs::recursive_directory_iterator end;
-    while (!error && entry != end) {
-        std::error_code unreadable;
-        if (entry->is_regular_file(unreadable) && mesh::is_model_file(entry->path())) {
-            files.push_back(entry->path());
-        }
-        entry.increment(error);
-    }
-}
-
-}  // namespace
-
 fs::path index_path(const fs::path& path) {
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error);
@@ -40,37 +21,60 @@ fs::path index_path(const fs::path& path) {
     return normal;
 }
 
-Result<std::vector<fs::path>> find_model_files(const std::vector<fs::path>& paths) {
-    std::vector<fs::path> files;
-    for (const fs::path& named : paths) {
-        const fs::path path = index_path(named);
-        std::error_code error;
-        const fs::file_status status = fs::status(path, error);
-        if (!fs::exists(status)) {
-            return {ErrorCode::kFileNotFound, named.string() + ": no such file or folder"};
-        }
-        if (fs::is_directory(status)) {
-            walk(path, files);
-        } else {
-            files.push_back(path);
-        }
-    }
-    const auto bytes = [](const fs::path& path) -> const std::string& { return path.native(); };
-    std::sort(files.begin(), files.end(),
-              [&](const fs::path& a, const fs::path& b) { return bytes(a) < bytes(b); });
-    files.erase(
-        std::unique(files.begin(), files.end(),
-                    [&](const fs::path& a, const fs::path& b) { return bytes(a) == bytes(b); }),
-        files.end());
-    return files;
-}
-
 bool is_under(const fs::path& path, const std::vector<fs::path>& roots) {
     return std::any_of(roots.begin(), roots.end(), [&](const fs::path& root) {
         const auto [root_at, path_at] =
             std::mismatch(root.begin(), root.end(), path.begin(), path.end());
         return root_at == root.end();
     });
+}
+
+bool is_hidden_name(std::string_view name) {
+    constexpr std::string_view kNames[] = {"@eadir",       "#recycle",
+                                           "$recycle.bin", "system volume information",
+                                           "__macosx",     "lost+found"};
+    if (name.starts_with('.')) return true;
+    std::string lower(name);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return std::find(std::begin(kNames), std::end(kNames), lower) != std::end(kNames);
+}
+
+namespace {
+
+bool is_excluded(std::string_view below, bool is_folder, const WalkOptions& options) {
+    return std::any_of(options.exclude.begin(), options.exclude.end(),
+                       [&](const Glob& glob) { return glob.matches(below, is_folder); });
+}
+
+/// As is_passed_over, for one root that `path` lies under.
+bool root_passes_over(const fs::path& path, const fs::path& root, const WalkOptions& options) {
+    const fs::path relative = path.lexically_relative(root);
+    // A file that is named itself.
+    if (relative == ".") return is_excluded(path.filename().native(), false, options);
+    fs::path below;
+    for (auto part = relative.begin(); part != relative.end(); ++part) {
+        below /= *part;
+        const bool is_folder = std::next(part) != relative.end();
+        if (is_hidden_name(part->native()) || is_excluded(below.native(), is_folder, options)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+bool is_passed_over(const fs::path& path, const std::vector<fs::path>& roots,
+                    const WalkOptions& options) {
+    bool under_one = false;
+    for (const fs::path& root : roots) {
+        if (!is_under(path, {root})) continue;
+        if (!root_passes_over(path, root, options)) return false;
+        under_one = true;
+    }
+    return under_one;
 }
 
 Result<std::string> read_bytes(const fs::path& path, std::uint64_t max_bytes) {

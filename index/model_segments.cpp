@@ -14,7 +14,6 @@
 #include "index/presentation.h"
 
 namespace ossuary::index {
-namespace {
 
 mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
     mesh::TriangleMesh mesh;
@@ -30,6 +29,8 @@ mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
     }
     return mesh;
 }
+
+namespace {
 
 /// For each part the branch of the skeleton that most of its area is mapped to, -1 without one.
 std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh,

@@ -129,6 +129,7 @@ json to_json(const ModelSummary& model) {
             {"branches", model.branches},
             {"bounds", to_json(model.bounds)},
             {"surface_area", model.surface_area},
+            {"up", to_string(model.orientation.up)},
             {"indexed_at", model.indexed_at},
             {"warnings", to_json(model.warnings)}};
 }
@@ -226,12 +227,38 @@ json to_json(const Evaluation& evaluation) {
     return out;
 }
 
+json to_json(const PassedOver& passed_over) {
+    return {{"hidden", passed_over.hidden},           {"excluded", passed_over.excluded},
+            {"seen_before", passed_over.seen_before}, {"broken_links", passed_over.broken_links},
+            {"special", passed_over.special},         {"other_files", passed_over.other_files}};
+}
+
 json to_json(const IndexOutcome& outcome) {
-    return {{"files", outcome.files},           {"indexed", outcome.indexed},
-            {"moved", outcome.moved},           {"unchanged", outcome.unchanged},
-            {"failed", outcome.failed},         {"known_failures", outcome.known_failures},
-            {"classified", outcome.classified}, {"pruned", outcome.pruned},
-            {"revision", outcome.revision},     {"seconds", outcome.seconds}};
+    json unreadable = json::array();
+    for (const UnreadableFolder& each : outcome.unreadable) {
+        unreadable.push_back({{"path", each.path.string()},
+                              {"code", to_string(each.error.code)},
+                              {"message", each.error.message}});
+    }
+    json refusals = json::array();
+    for (const PruneRefusal& each : outcome.refusals) {
+        refusals.push_back(
+            {{"path", each.place.string()}, {"models", each.models}, {"gone", each.gone}});
+    }
+    return {{"files", outcome.files},
+            {"indexed", outcome.indexed},
+            {"moved", outcome.moved},
+            {"unchanged", outcome.unchanged},
+            {"failed", outcome.failed},
+            {"known_failures", outcome.known_failures},
+            {"classified", outcome.classified},
+            {"turned", outcome.turned},
+            {"pruned", outcome.pruned},
+            {"prune_refused", std::move(refusals)},
+            {"passed_over", to_json(outcome.passed_over)},
+            {"unreadable", std::move(unreadable)},
+            {"revision", outcome.revision},
+            {"seconds", outcome.seconds}};
 }
 
 json to_json(const VerifyReport& report) {

@@ -38,6 +38,7 @@ namespace ossuary::index {
 [[nodiscard]] nlohmann::json to_json(const Comparison& comparison,
                                      const ranking::RankOptions& options);
 [[nodiscard]] nlohmann::json to_json(const Evaluation& evaluation);
+[[nodiscard]] nlohmann::json to_json(const PassedOver& passed_over);
 [[nodiscard]] nlohmann::json to_json(const IndexOutcome& outcome);
 [[nodiscard]] nlohmann::json to_json(const VerifyReport& report);
 [[nodiscard]] nlohmann::json to_json(const IndexParameters& parameters);

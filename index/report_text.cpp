@@ -4,11 +4,36 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/core/text.h"
+
 namespace ossuary::index {
+
+namespace {
+
+/// `text` with U+FFFD for what no XML document may hold, not even as a reference (XML 1.0, sec.
+/// 2.2): control characters, U+FFFE and U+FFFF.
+std::string characters_of_xml(std::string_view text) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const std::string_view three = text.substr(i, 3);
+        if (c >= 0 && c < 0x20 && c != '\t' && c != '\n' && c != '\r') {
+            out += "\xEF\xBF\xBD";
+        } else if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") {
+            out += "\xEF\xBF\xBD";
+            i += 2;
+        } else {
+            out += c;
+        }
+    }
+    return out;
+}
+
+}  // namespace
 
 std::string markup_text(std::string_view text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : characters_of_xml(valid_utf8(text))) {
         switch (c) {
             case '&':
                 out += "&amp;";
@@ -30,9 +55,10 @@ std::string markup_text(std::string_view text) {
 }
 
 std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    const std::string valid = valid_utf8(text);
+    if (valid.find_first_of(",\"\r\n") == std::string::npos) return valid;
     std::string out = "\"";
-    for (const char c : text) {
+    for (const char c : valid) {
         if (c == '"') out += '"';
         out += c;
     }

@@ -9,7 +9,7 @@
 
 namespace ossuary::index {
 
-/// Text between tags or in an attribute of HTML or SVG.
+/// Text between tags or in an attribute of HTML or SVG; always well-formed XML 1.0.
 [[nodiscard]] std::string markup_text(std::string_view text);
 
 /// One field of a comma-separated line, quoted where need be.

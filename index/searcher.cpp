@@ -216,6 +216,11 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOp
     comparison.match = *std::move(match);
     comparison.a = {models.models()[first], std::move(found->skeletons[0])};
     comparison.b = {models.models()[second], std::move(found->skeletons[1])};
+    // A model is turned without a new revision, so the snapshot may not know.
+    for (ComparedModel* each : {&comparison.a, &comparison.b}) {
+        const auto now = impl_->store.model(each->summary.id);
+        if (now) each->summary.orientation = now->orientation;
+    }
     return comparison;
 }
 

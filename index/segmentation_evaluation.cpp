@@ -12,6 +12,8 @@
 #include "engine/decomposition/seg_file.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
+#include "index/json_text.h"
+#include "index/report_text.h"
 
 namespace ossuary::index {
 namespace {
@@ -189,6 +191,11 @@ Result<decomposition::Segmentation> segmentation_of(
 Result<Model> evaluate_model(const ranking::ClassifiedModel& named,
                              const SegmentationEvaluationOptions& options, std::stop_token stop) {
     Model model{named.id, named.class_name, {}, {}, false, 0.0};
+    // Its files are named by it, also those that are written.
+    if (named.id.find('/') != std::string::npos) {
+        return Error{ErrorCode::kClaInvalid,
+                     "model '" + named.id + "': expected the name of a file, without '/'"};
+    }
     const auto read = mesh::read_mesh(options.models / (named.id + ".off"));
     if (!read.ok()) return read.error();
     const auto truths =
@@ -305,12 +312,12 @@ std::string to_csv(const SegmentationEvaluation& evaluation) {
     for (const ScoreField& field : kScoreFields) csv += std::string(",") + field.name;
     csv += "\n";
     for (const Model& model : evaluation.models) {
-        csv += model.id + "," + model.class_name;
+        csv += csv_field(model.id) + "," + csv_field(model.class_name);
         for (const ScoreField& field : kScoreFields) {
             const bool undefined =
                 field.value == &SegmentationScores::cut_discrepancy && !model.has_cut_discrepancy;
-            csv += "," +
-                   (undefined ? std::string() : nlohmann::json(model.scores.*field.value).dump());
+            csv += "," + (undefined ? std::string()
+                                    : json_text(nlohmann::json(model.scores.*field.value)));
         }
         csv += "\n";
     }

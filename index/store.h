@@ -44,6 +44,12 @@ struct ClassifyModel {
     ModelId id = 0;
     std::string class_name;
 };
+/// Which way a model stands; no new revision, since nothing that is searched changes.
+struct TurnModel {
+    ModelId id = 0;
+    Orientation orientation;
+    std::optional<std::vector<std::uint8_t>> thumbnail;  ///< PNG; none = as it was
+};
 struct RemoveModel {
     ModelId id = 0;
 };
@@ -62,8 +68,8 @@ struct FailUpload {  ///< the upload has failed for good
     UploadClaim upload;
     Error error;
 };
-using Change = std::variant<PutModel, MoveModel, ClassifyModel, RemoveModel, RecordFailure,
-                            ForgetFailure, PutUpload, FailUpload>;
+using Change = std::variant<PutModel, MoveModel, ClassifyModel, TurnModel, RemoveModel,
+                            RecordFailure, ForgetFailure, PutUpload, FailUpload>;
 
 /// What is to be done for a file, see Store::claim_work.
 struct Work {
@@ -75,7 +81,8 @@ struct Work {
     };
     Kind kind = Kind::kDescribe;
     std::vector<ModelSummary> models;
-    std::optional<Failure> failure;  ///< the last one of this path, if any
+    std::optional<ModelSummary> earlier;  ///< the model of this path, if its bytes were others
+    std::optional<Failure> failure;       ///< the last one of this path, if any
 };
 
 /// A page of models in the order of their ids.

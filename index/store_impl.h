@@ -82,10 +82,18 @@ inline constexpr std::string_view kSummaryColumns =
     "max_x, max_y, max_z, surface_area, warnings, indexed_at";
 inline constexpr int kSummaryColumnCount = 18;
 
+/// What `select_summaries` adds to them.
+inline constexpr std::string_view kOrientationColumns =
+    "(SELECT up FROM orientations WHERE model = models.id), "
+    "(SELECT said_by FROM orientations WHERE model = models.id)";
+
 /// The summary in the first columns of the current row. Errors: index_corrupt.
 Result<ModelSummary> summary_from(const Query& query);
 
-/// "SELECT <summary columns> FROM models <rest>"
+/// The summary in the current row of `select_summaries`. Errors: index_corrupt.
+Result<ModelSummary> selected_summary(const Query& query);
+
+/// "SELECT <summary columns>, <orientation columns> FROM models <rest>"
 std::string select_summaries(std::string_view rest);
 
 /// A model's descriptor from the three blobs, with its derived data. Errors: index_corrupt.

@@ -39,7 +39,8 @@ void bind_filter(Query& query, const ModelFilter& filter, ModelId after) {
 }  // namespace
 
 std::string select_summaries(std::string_view rest) {
-    return "SELECT " + std::string(kSummaryColumns) + " FROM models " + std::string(rest);
+    return "SELECT " + std::string(kSummaryColumns) + ", " + std::string(kOrientationColumns) +
+           " FROM models " + std::string(rest);
 }
 
 Result<ModelSummary> summary_from(const Query& query) {
@@ -63,6 +64,18 @@ Result<ModelSummary> summary_from(const Query& query) {
     }
     summary.warnings = *std::move(warnings);
     summary.indexed_at = query.text(17);
+    return summary;
+}
+
+Result<ModelSummary> selected_summary(const Query& query) {
+    auto summary = summary_from(query);
+    if (!summary || query.is_null(kSummaryColumnCount)) return summary;
+    const auto up = parse_up(query.text(kSummaryColumnCount));
+    if (!up) {
+        return {ErrorCode::kIndexCorrupt,
+                "model " + std::to_string(summary->id) + ": " + up.error().message};
+    }
+    summary->orientation = {*up, query.text(kSummaryColumnCount + 1) == "person"};
     return summary;
 }
 
@@ -92,12 +105,16 @@ Result<Work> Store::claim_work(std::string_view path, std::string_view content_h
         }
         {
             Query same_path(impl_->statement(select_summaries("WHERE path = ?")));
-            if (same_path.bind(path).step() && same_path.text(4) == content_hash) {
-                auto summary = summary_from(same_path);
-                if (!summary) return summary.error();
-                work.kind = Work::Kind::kUnchanged;
-                work.models.push_back(*std::move(summary));
-                return work;
+            if (same_path.bind(path).step()) {
+                auto summary = selected_summary(same_path);
+                if (same_path.text(4) == content_hash) {
+                    if (!summary) return summary.error();
+                    work.kind = Work::Kind::kUnchanged;
+                    work.models.push_back(*std::move(summary));
+                    return work;
+                }
+                // A damaged row goes when the file is described again.
+                if (summary) work.earlier = *std::move(summary);
             }
         }
         if (work.failure && !content_hash.empty() && work.failure->content_hash == content_hash) {
@@ -108,7 +125,7 @@ Result<Work> Store::claim_work(std::string_view path, std::string_view content_h
             impl_->statement(select_summaries("WHERE content_hash = ? ORDER BY id")));
         same_content.bind(content_hash);
         while (same_content.step()) {
-            auto summary = summary_from(same_content);
+            auto summary = selected_summary(same_content);
             if (!summary) return summary.error();
             work.kind = Work::Kind::kSameContent;
             work.models.push_back(*std::move(summary));
@@ -139,7 +156,7 @@ Result<ModelPage> Store::models(const ModelFilter& filter) {
                 page.next = page.models.back().id;
                 break;
             }
-            auto summary = summary_from(query);
+            auto summary = selected_summary(query);
             if (!summary) return summary.error();
             page.models.push_back(*std::move(summary));
         }
@@ -151,7 +168,7 @@ Result<ModelSummary> Store::model(ModelId id) {
     return impl_->locked([&]() -> Result<ModelSummary> {
         Query query(impl_->statement(select_summaries("WHERE id = ?")));
         if (!query.bind(id).step()) return impl_->no_model(id);
-        return summary_from(query);
+        return selected_summary(query);
     });
 }
 
@@ -161,7 +178,7 @@ Result<std::vector<ModelSummary>> Store::models_named(std::string_view name) {
         Query query(impl_->statement(select_summaries("WHERE name = ? ORDER BY id")));
         query.bind(name);
         while (query.step()) {
-            auto summary = summary_from(query);
+            auto summary = selected_summary(query);
             if (!summary) return summary.error();
             models.push_back(*std::move(summary));
         }
@@ -191,7 +208,7 @@ Result<StoreContents> Store::contents(std::span<const KnownModel> known,
             }
             Query query(impl_->statement(select_summaries("WHERE id = ?")));
             if (!query.bind(model.id).step()) return impl_->no_model(model.id);
-            auto summary = summary_from(query);
+            auto summary = selected_summary(query);
             if (!summary) return summary.error();
             model.summary = *std::move(summary);
             Query blobs(impl_->statement(std::string(kSelectDescriptor)));

@@ -62,6 +62,7 @@ public:
     Result<ModelId> operator()(const PutModel& change);
     Result<ModelId> operator()(const MoveModel& change);
     Result<ModelId> operator()(const ClassifyModel& change);
+    Result<ModelId> operator()(const TurnModel& change);
     Result<ModelId> operator()(const RemoveModel& change);
     Result<ModelId> operator()(const RecordFailure& change);
     Result<ModelId> operator()(const ForgetFailure& change);
@@ -89,6 +90,7 @@ private:
     std::optional<Existing> existing(const std::string& path, const std::string& content_hash);
     ModelId put_row(const ModelSummary& summary, std::optional<ModelId> id);
     void put_parts(ModelId id, const NewModel& model, const EncodedModel& encoded);
+    void put_orientation(ModelId id, const Orientation& orientation);
     Result<ModelId> put(const NewModel& model);
     void forget_failure(const std::string& path) {
         query("DELETE FROM failures WHERE path = ?").bind(path).run();
@@ -182,6 +184,15 @@ void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& en
     }
 }
 
+void Writer::put_orientation(ModelId id, const Orientation& orientation) {
+    query(
+        "INSERT INTO orientations (model, up, said_by) VALUES (?, ?, ?) ON CONFLICT (model) DO "
+        "UPDATE SET up = excluded.up, said_by = excluded.said_by")
+        .bind(id, to_string(orientation.up),
+              std::string_view(orientation.said_by_person ? "person" : "program"))
+        .run();
+}
+
 Result<ModelId> Writer::operator()(const PutModel& change) { return put(change.model); }
 
 Result<ModelId> Writer::put(const NewModel& model) {
@@ -196,6 +207,7 @@ Result<ModelId> Writer::put(const NewModel& model) {
     summary.branches = static_cast<std::uint32_t>(model.skeleton.branches.size());
     const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
     put_parts(id, model, *encoded);
+    put_orientation(id, summary.orientation);
     forget_failure(summary.path);
     return id;
 }
@@ -219,6 +231,23 @@ Result<ModelId> Writer::operator()(const ClassifyModel& change) {
         return impl_.no_model(change.id);
     }
     impl_.seal("models", "id = ?", change.id);
+    return change.id;
+}
+
+Result<ModelId> Writer::operator()(const TurnModel& change) {
+    {
+        Query found(impl_.statement("SELECT 1 FROM models WHERE id = ?"));
+        if (!found.bind(change.id).step()) return impl_.no_model(change.id);
+    }
+    put_orientation(change.id, change.orientation);
+    if (change.thumbnail) {
+        const std::string encoded = encode_thumbnail(*change.thumbnail);
+        query(
+            "INSERT INTO thumbnails (model, png) VALUES (?, ?) ON CONFLICT (model) DO UPDATE SET "
+            "png = excluded.png")
+            .bind(change.id, BlobView{encoded})
+            .run();
+    }
     return change.id;
 }
 

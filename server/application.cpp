@@ -112,7 +112,8 @@ Response Application::without_route(const RequestHead& head, const std::string& 
     if (head.method == "OPTIONS" && (!allow.empty() || head.path == "*")) {
         Response response;
         response.status = 204;
-        response.set_header("Allow", head.path == "*" ? "GET, HEAD, POST, DELETE, OPTIONS" : allow);
+        response.set_header("Allow",
+                            head.path == "*" ? "GET, HEAD, POST, PATCH, DELETE, OPTIONS" : allow);
         return response;
     }
     if (allow.empty()) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "index/process_mark.h"
+#include "index/turn_model.h"
 #include "server/without_exceptions.h"
 
 namespace ossuary::server {
@@ -90,6 +91,10 @@ Result<void> Jobs::remove(index::ModelId id) {
     folded_ = false;
     changed_(true);
     return {};
+}
+
+Result<index::Orientation> Jobs::turn(index::ModelId id, std::optional<index::Up> up) {
+    return index::turn_model(store_, id, up);
 }
 
 void Jobs::work(std::stop_token stop) {

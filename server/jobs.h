@@ -47,6 +47,8 @@ public:
     Result<std::optional<index::UploadId>> add(const index::UploadedModel& upload);
     /// Errors: model_not_found, those of the store.
     Result<void> remove(index::ModelId id);
+    /// See index::turn_model.
+    Result<index::Orientation> turn(index::ModelId id, std::optional<index::Up> up);
 
 private:
     /// What became of a look at the queue.

@@ -6,14 +6,13 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "index/json_text.h"
+
 namespace ossuary::server {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string dump(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+using index::json_text;
 
 }  // namespace
 
@@ -38,14 +37,16 @@ Log::Log(const LogOptions& options) : json_(options.json) {
 
 void Log::write(spdlog::level::level_enum level, const std::string& message) {
     if (!logger_->should_log(level)) return;
-    logger_->log(level, "{}", json_ ? "\"message\":" + dump(message) : message);
+    logger_->log(level, "{}",
+                 json_ ? "\"message\":" + json_text(Json(message)) : terminal_text(message));
 }
 
 void Log::error(const std::string& message, const std::string& request_id) {
     if (json_) {
-        logger_->error("\"message\":{},\"request_id\":{}", dump(message), dump(request_id));
+        logger_->error("\"message\":{},\"request_id\":{}", json_text(Json(message)),
+                       json_text(Json(request_id)));
     } else {
-        logger_->error("{} [{}]", message, request_id);
+        logger_->error("{} [{}]", terminal_text(message), request_id);
     }
 }
 
@@ -53,22 +54,23 @@ void Log::access(const Exchange& exchange) {
     if (!logger_->should_log(spdlog::level::info)) return;
     if (!json_) {
         logger_->info("{} {} {} {}{}{} {:.1f} ms in {} out {} [{}]", exchange.remote_address,
-                      exchange.method.empty() ? "-" : exchange.method, exchange.target,
-                      exchange.status, exchange.code.empty() ? "" : " ", exchange.code,
-                      exchange.milliseconds, exchange.bytes_in, exchange.bytes_out, exchange.id);
+                      exchange.method.empty() ? "-" : exchange.method,
+                      terminal_text(exchange.target), exchange.status,
+                      exchange.code.empty() ? "" : " ", exchange.code, exchange.milliseconds,
+                      exchange.bytes_in, exchange.bytes_out, exchange.id);
         return;
     }
-    const std::string object = dump({{"message", "request"},
-                                     {"request_id", exchange.id},
-                                     {"remote", exchange.remote_address},
-                                     {"method", exchange.method},
-                                     {"target", exchange.target},
-                                     {"route", exchange.route},
-                                     {"status", exchange.status},
-                                     {"code", exchange.code},
-                                     {"milliseconds", exchange.milliseconds},
-                                     {"bytes_in", exchange.bytes_in},
-                                     {"bytes_out", exchange.bytes_out}});
+    const std::string object = json_text(Json{{"message", "request"},
+                                              {"request_id", exchange.id},
+                                              {"remote", exchange.remote_address},
+                                              {"method", exchange.method},
+                                              {"target", exchange.target},
+                                              {"route", exchange.route},
+                                              {"status", exchange.status},
+                                              {"code", exchange.code},
+                                              {"milliseconds", exchange.milliseconds},
+                                              {"bytes_in", exchange.bytes_in},
+                                              {"bytes_out", exchange.bytes_out}});
     logger_->info("{}", std::string_view(object).substr(1, object.size() - 2));
 }
 

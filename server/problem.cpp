@@ -4,6 +4,8 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
+#include "index/json_text.h"
+
 namespace ossuary::server {
 namespace {
 
@@ -108,6 +110,7 @@ const std::vector<ErrorRow>& error_rows() {
         {kEvaluationNotFound, 404, "No such evaluation"},
         {kIndexReplaced, 503, "Index replaced", 5},
         {kUploadAbandoned, 500, "Upload given up"},
+        {kPruneRefused, 409, "Pruning refused"},
     };
     return rows;
 }
@@ -172,7 +175,7 @@ Response to_response(const Problem& problem, std::string_view instance,
     response.status = problem.row.status;
     response.content_type = "application/problem+json";
     // Bytes of the request that are not UTF-8 are shown as U+FFFD rather than refused again.
-    response.body = document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    response.body = index::json_text(document);
     response.code = problem.row.code;
     response.cause = problem.cause;
     response.headers = problem.headers;

@@ -10,6 +10,7 @@ const std::vector<Route>& routes() {
         {"GET", "/v1/models", list_models},
         {"POST", "/v1/models", add_model, check_add_model, Body::kModel, kAdministrator},
         {"GET", "/v1/models/{id}", get_model},
+        {"PATCH", "/v1/models/{id}", change_model, nullptr, Body::kNone, kAdministrator},
         {"DELETE", "/v1/models/{id}", remove_model, nullptr, Body::kNone, kAdministrator},
         {"GET", "/v1/models/{id}/similar", similar, nullptr, Body::kNone, kEveryone, true},
         {"GET", "/v1/models/{id}/mesh", model_mesh},

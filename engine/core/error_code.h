@@ -56,6 +56,7 @@ enum class ErrorCode {
     kEvaluationNotFound,
     kIndexReplaced,
     kUploadAbandoned,
+    kPruneRefused,
 };
 
 struct ErrorCodeName {
@@ -106,6 +107,7 @@ inline constexpr std::array kErrorCodeNames = {
     ErrorCodeName{ErrorCode::kEvaluationNotFound, "evaluation_not_found"},
     ErrorCodeName{ErrorCode::kIndexReplaced, "index_replaced"},
     ErrorCodeName{ErrorCode::kUploadAbandoned, "upload_abandoned"},
+    ErrorCodeName{ErrorCode::kPruneRefused, "prune_refused"},
 };
 
 static_assert(
@@ -113,7 +115,7 @@ static_assert(
         for (std::size_t i = 0; i < kErrorCodeNames.size(); ++i) {
             if (static_cast<std::size_t>(kErrorCodeNames[i].code) != i) return false;
         }
-        return kErrorCodeNames.size() == static_cast<std::size_t>(ErrorCode::kUploadAbandoned) + 1;
+        return kErrorCodeNames.size() == static_cast<std::size_t>(ErrorCode::kPruneRefused) + 1;
     }(),
     "every error code has its name, in the order of the enumeration");
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "index/cli/console.h"
+#include "index/json_text.h"
 
 namespace ossuary::cli {
 
@@ -30,16 +31,15 @@ void print_error(const Error& error, const Session& session) {
     if (session.json) {
         const nlohmann::json document = {
             {"error", {{"code", to_string(error.code)}, {"message", error.message}}}};
-        std::cerr << document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
-                  << '\n';
+        std::cerr << index::json_text(document) << '\n';
         return;
     }
-    std::cerr << fmt::format("ossuary: {}{}{}: {}\n", style(Style::kError), to_string(error.code),
-                             style(Style::kPlain), error.message);
+    std::cerr << "ossuary: " << style(Style::kError) << to_string(error.code)
+              << style(Style::kPlain) << terminal_format(": {}\n", error.message);
 }
 
 void print_json(const nlohmann::json& document) {
-    std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    std::cout << index::json_text(document, 2) << '\n';
 }
 
 }  // namespace ossuary::cli

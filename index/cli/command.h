@@ -41,6 +41,7 @@ void add_evaluate_segmentation(CLI::App& app, Session& session);
 void add_models(CLI::App& app, Session& session);
 void add_show(CLI::App& app, Session& session);
 void add_remove(CLI::App& app, Session& session);
+void add_up(CLI::App& app, Session& session);
 void add_verify(CLI::App& app, Session& session);
 void add_export(CLI::App& app, Session& session);
 

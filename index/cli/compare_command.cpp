@@ -50,15 +50,16 @@ Result<index::Comparison> compare_indexed(const Options& options,
 
 void print_comparison(const index::Comparison& comparison) {
     const matching::Match& match = comparison.match;
-    std::cout << fmt::format("distance {:.4f}\n", match.distance);
+    std::cout << terminal_format("distance {:.4f}\n", match.distance);
     for (const matching::DistancePart& part : match.parts) {
-        std::cout << fmt::format("  {:<28} {:.4f}\n", part.name, part.value);
+        std::cout << terminal_format("  {:<28} {:.4f}\n", part.name, part.value);
     }
     std::string clusters;
     for (const std::uint32_t size : match.correspondence.cluster_sizes) {
         clusters += fmt::format("{}{}", clusters.empty() ? " in clusters of " : ", ", size);
     }
-    std::cout << fmt::format("{} matched nodes{}\n", match.correspondence.nodes.size(), clusters);
+    std::cout << terminal_format("{} matched nodes{}\n", match.correspondence.nodes.size(),
+                                 clusters);
     if (match.correspondence.branches.empty()) return;
     Table table({{comparison.a.summary.name + " branch", Align::kRight},
                  {comparison.b.summary.name + " branch", Align::kRight},

@@ -56,10 +56,25 @@ std::string duration_text(double seconds) {
     return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
-Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+std::string terminal_lines(std::string_view text) {
+    std::string lines;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        lines += terminal_text(text.substr(0, end));
+        if (end == std::string_view::npos) break;
+        lines += '\n';
+        text.remove_prefix(end + 1);
+    }
+    return lines;
+}
+
+Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
+    for (Column& column : columns_) column.heading = terminal_text(column.heading);
+}
 
 void Table::add_row(std::vector<std::string> cells) {
     assert(cells.size() == columns_.size());
+    for (std::string& cell : cells) cell = terminal_text(cell);
     rows_.push_back(std::move(cells));
 }
 

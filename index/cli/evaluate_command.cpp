@@ -37,9 +37,9 @@ std::vector<std::string> metric_cells(const ranking::RetrievalMetrics& m) {
 }
 
 void print_evaluation(const index::Evaluation& evaluation) {
-    std::cout << fmt::format("{}{}: {} models in {} classes\n", to_string(evaluation.ranker),
-                             evaluation.rerank ? " with re-ranking" : "", evaluation.report.models,
-                             evaluation.report.classes);
+    std::cout << terminal_format("{}{}: {} models in {} classes\n", to_string(evaluation.ranker),
+                                 evaluation.rerank ? " with re-ranking" : "",
+                                 evaluation.report.models, evaluation.report.classes);
     Table table({{"class"},
                  {"models", Align::kRight},
                  {"NN", Align::kRight},
@@ -89,7 +89,7 @@ Result<void> write_reports(const Options& options, const Session& session, index
                            const std::vector<index::Evaluation>& evaluations) {
     const auto written = index::write_report(options.report_folder, evaluations);
     if (!written.ok()) return written.error();
-    std::cerr << fmt::format("report written to {}/report.html\n", options.report_folder);
+    std::cerr << terminal_format("report written to {}/report.html\n", options.report_folder);
     const auto knows_pose = [](const index::Evaluation& evaluation) {
         return evaluation.ranker != ranking::RankerKind::kChainCode;
     };
@@ -98,7 +98,7 @@ Result<void> write_reports(const Options& options, const Session& session, index
         index::pose_examples(snapshot, evaluations.front(), kPosesOfAClass, session.jobs);
     const auto poses = index::write_pose_gallery(options.report_folder, store, examples);
     if (!poses.ok()) return poses.error();
-    std::cerr << fmt::format("models in like poses in {}/poses.html\n", options.report_folder);
+    std::cerr << terminal_format("models in like poses in {}/poses.html\n", options.report_folder);
     return {};
 }
 

@@ -8,6 +8,7 @@
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/write_file.h"
+#include "index/json_text.h"
 #include "index/parts_sheet.h"
 #include "index/segmentation_evaluation.h"
 
@@ -37,7 +38,7 @@ Result<void> write_all(const std::filesystem::path& folder,
     }
     const auto written = write_file(folder / "scores.csv", to_csv(evaluation));
     if (!written.ok()) return written.error();
-    return write_file(folder / "scores.json", to_json(evaluation).dump(2) + "\n");
+    return write_file(folder / "scores.json", index::json_text(to_json(evaluation), 2) + "\n");
 }
 
 void print_evaluation(const index::SegmentationEvaluation& evaluation) {
@@ -68,8 +69,8 @@ void print_evaluation(const index::SegmentationEvaluation& evaluation) {
     add(evaluation.mean);
     std::cout << table.text();
     if (evaluation.mean_ms > 0.0) {
-        std::cout << fmt::format("{:.1f} ms a model in the mean, reading not counted\n",
-                                 evaluation.mean_ms);
+        std::cout << terminal_format("{:.1f} ms a model in the mean, reading not counted\n",
+                                     evaluation.mean_ms);
     }
 }
 
@@ -90,8 +91,8 @@ Result<ExitCode> run(Options options, const Session& session) {
         index::evaluate_segmentation(options.evaluation, session.stop);
     if (!evaluation.ok()) return evaluation.error();
     for (const auto& failure : evaluation->failures) {
-        std::cerr << fmt::format("{}: {}: {}\n", failure.id, to_string(failure.error.code),
-                                 failure.error.message);
+        std::cerr << terminal_format("{}: {}: {}\n", failure.id, to_string(failure.error.code),
+                                     failure.error.message);
     }
     if (!options.out.empty()) {
         if (const auto written = write_all(options.out, *evaluation); !written.ok()) {

@@ -20,7 +20,9 @@ struct Options {
     std::string classes_path;
     std::vector<std::string> paths;
     PipelineOptions pipeline;
-    bool prune = false;
+    std::string prune = "no";
+    std::vector<std::string> exclude;
+    std::string up = "auto";
     bool retry_failed = false;
     double model_timeout_seconds = index::IndexOptions{}.model_timeout_seconds;
 };
@@ -37,6 +39,31 @@ Result<index::IndexParameters> parameters_for(const Options& options) {
     return options.pipeline.parameters(defaults);
 }
 
+index::Prune prune_mode(const std::string& word) {
+    if (word == "force") return index::Prune::kForce;
+    return word == "yes" ? index::Prune::kYes : index::Prune::kNo;
+}
+
+/// What was asked for and not done, since it may be a mistake.
+void print_refusals(const std::vector<index::PruneRefusal>& refusals, const Session& session) {
+    for (const index::PruneRefusal& refusal : refusals) {
+        print_error({ErrorCode::kPruneRefused,
+                     fmt::format("{}: no model file is there, but the index has {} models of it; "
+                                 "none of them was removed. If they are really gone, and not on a "
+                                 "disk that is not mounted, --prune=force removes them",
+                                 refusal.place.string(), refusal.models)},
+                    session);
+    }
+}
+
+/// The worst of what happened to single files and folders.
+ExitCode exit_code_of(const index::IndexOutcome& outcome) {
+    if (!outcome.refusals.empty()) return exit_code_for(ErrorCode::kPruneRefused);
+    const bool all_well =
+        outcome.failed + outcome.known_failures == 0 && outcome.unreadable.empty();
+    return all_well ? ExitCode::kDone : ExitCode::kSomeModelsFailed;
+}
+
 void print_outcome(const index::IndexOutcome& outcome, const std::string& index_path) {
     std::string text = fmt::format("{} indexed", outcome.indexed);
     const auto add = [&](std::size_t count, const char* what) {
@@ -45,11 +72,12 @@ void print_outcome(const index::IndexOutcome& outcome, const std::string& index_
     add(outcome.unchanged, "unchanged");
     add(outcome.moved, "moved");
     add(outcome.classified, "with a new class");
+    add(outcome.turned, "turned");
     add(outcome.pruned, "removed");
     add(outcome.failed, "failed");
     add(outcome.known_failures, "failed before (--retry-failed tries them again)");
-    std::cout << fmt::format("{}: {} of {} files in {}\n", index_path, text, outcome.files,
-                             duration_text(outcome.seconds));
+    std::cout << terminal_format("{}: {} of {} files in {}\n", index_path, text, outcome.files,
+                                 duration_text(outcome.seconds));
 }
 
 Result<ExitCode> run(const Options& options, const Session& session) {
@@ -59,9 +87,19 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     index::IndexOptions index_options;
     index_options.paths.assign(options.paths.begin(), options.paths.end());
     index_options.jobs = session.jobs;
-    index_options.prune = options.prune;
+    index_options.prune = prune_mode(options.prune);
+    for (const std::string& pattern : options.exclude) {
+        Result<index::Glob> glob = index::Glob::parse(pattern);
+        if (!glob.ok()) {
+            return {glob.error().code, "--exclude " + glob.error().message};
+        }
+        index_options.walk.exclude.push_back(*std::move(glob));
+    }
     index_options.retry_failed = options.retry_failed;
     index_options.model_timeout_seconds = options.model_timeout_seconds;
+    const auto up = parse_up_or_auto(options.up);
+    if (!up.ok()) return up.error();
+    index_options.up = *up;
     if (!options.classes_path.empty()) {
         Result<ranking::Classification> classes =
             ranking::read_classification(options.classes_path);
@@ -81,8 +119,8 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     } else {
         print_outcome(*outcome, options.index_path);
     }
-    return outcome->failed + outcome->known_failures > 0 ? ExitCode::kSomeModelsFailed
-                                                         : ExitCode::kDone;
+    print_refusals(outcome->refusals, session);
+    return exit_code_of(*outcome);
 }
 
 }  // namespace
@@ -97,8 +135,25 @@ void add_index(CLI::App& app, Session& session) {
                      "Princeton classification (.cla) that names the models' classes")
         ->type_name("FILE");
     options->pipeline.add_to(*command);
-    command->add_flag("--prune", options->prune,
-                      "Remove models under PATH whose files are gone from the index");
+    command
+        ->add_option("--exclude", options->exclude,
+                     "Pass over files and folders whose name, or with a / in it whose path below "
+                     "PATH, fits this pattern of *, ?, [a-z] and **; may be given again")
+        ->expected(1)
+        ->take_all()
+        ->type_name("GLOB");
+    command
+        ->add_option("--up", options->up,
+                     "The axis that points up in these models, y or z; or auto: found for each new "
+                     "one, and others stay as they are")
+        ->check(CLI::IsMember({"y", "z", "auto"}))
+        ->capture_default_str();
+    command
+        ->add_flag("--prune{yes}", options->prune,
+                   "Remove models under PATH from the index whose files are gone or passed over. "
+                   "Where PATH holds no model file any more, as when a disk is not mounted, models "
+                   "go only with --prune=force")
+        ->check(CLI::IsMember({"yes", "force"}));
     command->add_flag("--retry-failed", options->retry_failed,
                       "Try unchanged files again that failed before");
     command

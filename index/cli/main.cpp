@@ -2,9 +2,11 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <stop_token>
 
 #include "index/cli/command.h"
+#include "index/cli/console.h"
 #include "index/cli/interrupt.h"
 #include "index/cli/version.h"
 
@@ -26,16 +28,20 @@ int run(int argc, char** argv) {
     Session session;
     const InterruptGuard interrupt;
     session.stop = interrupt.stop_token();
-    for (const auto add :
-         {add_index, add_search, add_compare, add_evaluate, add_skeleton, add_thin, add_segment,
-          add_evaluate_segmentation, add_models, add_show, add_remove, add_verify, add_export}) {
+    for (const auto add : {add_index, add_search, add_compare, add_evaluate, add_skeleton, add_thin,
+                           add_segment, add_evaluate_segmentation, add_models, add_show, add_remove,
+                           add_up, add_verify, add_export}) {
         add(app, session);
     }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         // CLI11 prints help and version through the same road, with its own status 0.
-        const int status = app.exit(error, std::cout, std::cerr);
+        // Messages quote arguments, and a shell's * puts any file's name there.
+        std::ostringstream out, err;
+        const int status = app.exit(error, out, err);
+        std::cout << terminal_lines(out.str());
+        std::cerr << terminal_lines(err.str());
         return status == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
     }
     std::cout.flush();
@@ -54,7 +60,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::cerr << "ossuary: out_of_memory: the machine has no memory left for this\n";
     } catch (const std::exception& error) {
-        std::cerr << "ossuary: internal: " << error.what() << '\n';
+        std::cerr << "ossuary: internal: " << ossuary::terminal_text(error.what()) << '\n';
     }
     return static_cast<int>(ossuary::cli::ExitCode::kFailed);
 }

@@ -48,7 +48,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
                        std::to_string(model.branches), model.path.empty() ? "-" : model.path});
     }
     std::cout << table.text();
-    std::cerr << fmt::format("{} of {} models\n", page->models.size(), page->total);
+    std::cerr << terminal_format("{} of {} models\n", page->models.size(), page->total);
     return ExitCode::kDone;
 }
 

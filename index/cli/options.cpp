@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "engine/core/text.h"
 #include "engine/skeleton/thinning.h"
 
 namespace ossuary::cli {
@@ -21,6 +22,19 @@ std::optional<index::ModelId> parse_id(std::string_view text) {
 Result<std::vector<index::ModelSummary>> only(Result<index::ModelSummary> model) {
     if (!model.ok()) return model.error();
     return std::vector{*std::move(model)};
+}
+
+/// Models whose name is shown as `text`, in JSON or on a terminal, without being spelled so.
+Result<std::vector<index::ModelSummary>> find_models_shown_as(index::Store& store,
+                                                              const std::string& text) {
+    index::ModelFilter everything;
+    everything.limit = 0;
+    Result<index::ModelPage> page = store.models(everything);
+    if (!page.ok()) return page.error();
+    std::erase_if(page->models, [&](const index::ModelSummary& model) {
+        return valid_utf8(model.name) != text && terminal_text(model.name) != text;
+    });
+    return std::move(page->models);
 }
 
 }  // namespace
@@ -91,6 +105,13 @@ Result<std::vector<ranking::RankOptions>> RankingOptions::rank_options(int jobs)
     return all;
 }
 
+Result<std::optional<index::Up>> parse_up_or_auto(const std::string& text) {
+    if (text == "auto") return std::optional<index::Up>();
+    const Result<index::Up> up = index::parse_up(text);
+    if (!up.ok()) return {up.error().code, up.error().message + ", or auto"};
+    return std::optional(*up);
+}
+
 void add_index_option(CLI::App& command, std::string& index_path) {
     command.add_option("--index", index_path, "The index file")->required()->type_name("FILE");
 }
@@ -104,6 +125,8 @@ Result<std::vector<index::ModelSummary>> find_models(index::Store& store, const 
     Result<std::vector<index::ModelSummary>> named = store.models_named(text);
     if (!named.ok() || !named->empty()) return named;
     if (const auto id = parse_id(text)) return only(store.model(*id));
+    Result<std::vector<index::ModelSummary>> shown = find_models_shown_as(store, text);
+    if (!shown.ok() || !shown->empty()) return shown;
     return {ErrorCode::kModelNotFound, fmt::format("no model is named '{}'", text)};
 }
 
@@ -118,6 +141,21 @@ Result<index::ModelSummary> find_model(index::Store& store, const std::string& t
                             ids)};
     }
     return models->front();
+}
+
+Result<std::vector<index::ModelSummary>> choose_models(index::Store& store,
+                                                       const std::vector<std::string>& texts,
+                                                       bool all_of_name) {
+    std::vector<index::ModelSummary> models;
+    for (const std::string& text : texts) {
+        const auto named = all_of_name ? find_models(store, text) : only(find_model(store, text));
+        if (!named.ok()) return named.error();
+        for (const index::ModelSummary& model : *named) {
+            const auto same = [&](const auto& other) { return other.id == model.id; };
+            if (std::none_of(models.begin(), models.end(), same)) models.push_back(model);
+        }
+    }
+    return models;
 }
 
 }  // namespace ossuary::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "engine/ranking/ranker.h"
 #include "index/model.h"
 #include "index/store.h"
+#include "index/up.h"
 
 namespace ossuary::cli {
 
@@ -39,15 +41,24 @@ struct RankingOptions {
     [[nodiscard]] Result<std::vector<ranking::RankOptions>> rank_options(int jobs) const;
 };
 
+/// y, z, or none for `auto`. Errors: invalid_argument.
+Result<std::optional<index::Up>> parse_up_or_auto(const std::string& text);
+
 /// Adds the required option --index.
 void add_index_option(CLI::App& command, std::string& index_path);
 
 /// The models that `text` names: `#7` is the id 7; anything else is a name, and if no model has it
-/// and it is a number, an id. Errors: model_not_found.
+/// and it is a number, an id; last, a name as lists show it. Errors: model_not_found.
 Result<std::vector<index::ModelSummary>> find_models(index::Store& store, const std::string& text);
 
 /// Like find_models, for commands that mean exactly one. Errors: also invalid_argument when several
 /// models have the name; the message lists their ids.
 Result<index::ModelSummary> find_model(index::Store& store, const std::string& text);
+
+/// What `texts` name, each model once: exactly one model each, or with `all_of_name` every one of a
+/// name. Errors: those of find_model.
+Result<std::vector<index::ModelSummary>> choose_models(index::Store& store,
+                                                       const std::vector<std::string>& texts,
+                                                       bool all_of_name);
 
 }  // namespace ossuary::cli

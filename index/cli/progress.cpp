@@ -28,15 +28,42 @@ std::string progress_line(const index::IndexProgress& progress) {
     return line;
 }
 
+std::string warning_line(std::string_view code, std::string_view message) {
+    return std::string(style(Style::kWarning)) + terminal_text(code) +
+           std::string(style(Style::kPlain)) + terminal_format(": {}", message);
+}
+
+/// "hidden 3, excluded 1"; empty where nothing was passed over.
+std::string passed_over_text(const index::PassedOver& counts) {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, count);
+    };
+    add(counts.hidden, "hidden");
+    add(counts.excluded, "excluded");
+    add(counts.seen_before, "already taken by another path");
+    add(counts.broken_links, "links that lead nowhere");
+    add(counts.special, "pipes and the like");
+    add(counts.other_files, "files that are no models");
+    return text;
+}
+
 // Readers of files name the file themselves; later stages do not know it.
 std::string failure_line(const index::Failure& failure) {
     const std::string where =
         failure.message.find(failure.path) == std::string::npos ? failure.path + ": " : "";
-    return fmt::format("{}{}{}: {}{}", style(Style::kWarning), failure.code, style(Style::kPlain),
-                       where, failure.message);
+    return warning_line(failure.code, where + failure.message);
 }
 
 }  // namespace
+
+void ConsoleProgress::found(const index::FoundFiles& found) {
+    for (const index::UnreadableFolder& folder : found.unreadable) {
+        std::cerr << warning_line(to_string(folder.error.code), folder.error.message) << '\n';
+    }
+    const std::string passed_over = passed_over_text(found.passed_over);
+    if (!passed_over.empty()) std::cerr << "passed over: " << passed_over << '\n';
+}
 
 ConsoleProgress::ConsoleProgress() : terminal_(stderr_is_terminal()), last_drawn_(Clock::now()) {}
 
@@ -68,7 +95,7 @@ void ConsoleProgress::failed(const index::Failure& failure) {
 
 void ConsoleProgress::phase(std::string_view what) {
     if (!terminal_) return;
-    std::cerr << "\r\033[K" << what << std::flush;
+    std::cerr << "\r\033[K" << terminal_text(what) << std::flush;
     line_drawn_ = true;
 }
 

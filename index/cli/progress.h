@@ -16,6 +16,7 @@ public:
     ConsoleProgress(const ConsoleProgress&) = delete;
     ConsoleProgress& operator=(const ConsoleProgress&) = delete;
 
+    void found(const index::FoundFiles& found) override;
     void progress(const index::IndexProgress& progress) override;
     void failed(const index::Failure& failure) override;
     void phase(std::string_view what) override;

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "index/cli/command.h"
+#include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/indexer.h"
 
@@ -18,31 +18,12 @@ struct Options {
     bool all_of_name = false;
 };
 
-Result<std::vector<index::ModelSummary>> chosen(index::Store& store, const Options& options) {
-    std::vector<index::ModelSummary> models;
-    const auto add = [&](const index::ModelSummary& model) {
-        const auto same = [&](const auto& other) { return other.id == model.id; };
-        if (std::none_of(models.begin(), models.end(), same)) models.push_back(model);
-    };
-    for (const std::string& text : options.models) {
-        if (options.all_of_name) {
-            const auto named = find_models(store, text);
-            if (!named.ok()) return named.error();
-            for (const auto& model : *named) add(model);
-        } else {
-            const auto model = find_model(store, text);
-            if (!model.ok()) return model.error();
-            add(*model);
-        }
-    }
-    return models;
-}
-
 // All that are named go in one transaction, or none: one wrong name removes nothing.
 Result<ExitCode> run(const Options& options, const Session& session) {
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadWrite);
     if (!store.ok()) return store.error();
-    const Result<std::vector<index::ModelSummary>> models = chosen(*store, options);
+    const Result<std::vector<index::ModelSummary>> models =
+        choose_models(*store, options.models, options.all_of_name);
     if (!models.ok()) return models.error();
     std::vector<index::Change> changes;
     for (const auto& model : *models) changes.emplace_back(index::RemoveModel{model.id});
@@ -56,7 +37,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
         print_json({{"removed", std::move(ids)}});
     } else {
         for (const auto& model : *models) {
-            std::cout << fmt::format("removed #{} {}\n", model.id, model.name);
+            std::cout << terminal_format("removed #{} {}\n", model.id, model.name);
         }
     }
     return ExitCode::kDone;

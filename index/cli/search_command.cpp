@@ -35,8 +35,8 @@ void print_hits(const index::SearchResult& result) {
                        std::to_string(hit.matched_nodes), fmt::format("#{}", hit.id)});
     }
     std::cout << table.text();
-    std::cerr << fmt::format("{} of {} models in {:.0f} ms\n", result.hits.size(), result.models,
-                             result.took_ms);
+    std::cerr << terminal_format("{} of {} models in {:.0f} ms\n", result.hits.size(),
+                                 result.models, result.took_ms);
 }
 
 Result<ExitCode> run(const Options& options, const Session& session) {

@@ -14,6 +14,7 @@
 #include "index/cli/write_file.h"
 #include "index/coloured_parts.h"
 #include "index/gltf.h"
+#include "index/json_text.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -70,8 +71,8 @@ Result<void> write_out(const std::string& out, const mesh::TriangleMesh& mesh,
 }
 
 void print_parts(const nlohmann::json& document) {
-    std::cout << fmt::format("{}: {} parts of {} faces\n", document["name"].get<std::string>(),
-                             document["parts"].size(), document["faces"].get<std::size_t>());
+    std::cout << terminal_format("{}: {} parts of {} faces\n", document["name"].get<std::string>(),
+                                 document["parts"].size(), document["faces"].get<std::size_t>());
     Table table({{"part", Align::kRight},
                  {"faces", Align::kRight},
                  {"area", Align::kRight},
@@ -79,9 +80,9 @@ void print_parts(const nlohmann::json& document) {
                  {"touches"}});
     for (const auto& part : document["parts"]) {
         table.add_row(
-            {part["part"].dump(), part["faces"].dump(),
+            {index::json_text(part["part"]), index::json_text(part["faces"]),
              fmt::format("{:.1f} %", 100.0 * part["area_share"].get<double>()),
-             part["branch"].is_null() ? "-" : part["branch"].dump(),
+             part["branch"].is_null() ? "-" : index::json_text(part["branch"]),
              fmt::format("{}", fmt::join(part["neighbors"].get<std::vector<int>>(), " "))});
     }
     std::cout << table.text();
@@ -115,7 +116,7 @@ Result<ExitCode> run(Options options, const Session& session) {
     } else {
         print_parts(document);
         for (const mesh::MeshWarning& warning : warnings) {
-            std::cerr << fmt::format("warning: {}: {}\n", warning.code, warning.message);
+            std::cerr << terminal_format("warning: {}: {}\n", warning.code, warning.message);
         }
     }
     return ExitCode::kDone;

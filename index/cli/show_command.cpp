@@ -35,28 +35,31 @@ Result<ExitCode> show_index(index::Store& store, const Session& session) {
         return ExitCode::kDone;
     }
     const index::IndexParameters& parameters = store.parameters();
-    std::cout << fmt::format(
+    std::cout << terminal_format(
         "{}: {} models, {} failures, revision {}\nresolution {}, thinning {}, pipeline {}, "
         "format {}\n",
         store.path().string(), page->total, failures->size(), page->revision, parameters.resolution,
         to_string(parameters.thinning), parameters.pipeline, store.version());
     for (const index::Failure& failure : *failures) {
-        std::cout << fmt::format("failed: {}: {}: {}\n", failure.path, failure.code,
-                                 failure.message);
+        std::cout << terminal_format("failed: {}: {}: {}\n", failure.path, failure.code,
+                                     failure.message);
     }
     return ExitCode::kDone;
 }
 
 void print_model(const index::ModelSummary& model, const index::StoredSkeleton& skeleton) {
     const Vec3 extent = model.bounds.sizes();
-    std::cout << fmt::format(
+    std::cout << terminal_format(
         "#{} {}\nclass         {}\npath          {}\nvertices      {}\nfaces         {}\n"
-        "size          {:.6g} x {:.6g} x {:.6g}\nsurface area  {:.6g}\nindexed at    {}\n",
+        "size          {:.6g} x {:.6g} x {:.6g}\nup            {} ({})\nsurface area  {:.6g}\n"
+        "indexed at    {}\n",
         model.id, model.name, model.class_name.empty() ? "-" : model.class_name,
         model.path.empty() ? "-" : model.path, model.vertices, model.faces, extent.x(), extent.y(),
-        extent.z(), model.surface_area, model.indexed_at);
+        extent.z(), to_string(model.orientation.up),
+        model.orientation.said_by_person ? "as was said" : "found", model.surface_area,
+        model.indexed_at);
     for (const mesh::MeshWarning& warning : model.warnings) {
-        std::cout << fmt::format("warning       {}: {}\n", warning.code, warning.message);
+        std::cout << terminal_format("warning       {}: {}\n", warning.code, warning.message);
     }
     Table table({{"branch", Align::kRight}, {"nodes"}, {"length", Align::kRight}, {"chain code"}});
     for (std::size_t b = 0; b < skeleton.graph.branches.size(); ++b) {
@@ -64,8 +67,8 @@ void print_model(const index::ModelSummary& model, const index::StoredSkeleton& 
         table.add_row({std::to_string(b), fmt::format("{}-{}", branch.a, branch.b),
                        fmt::format("{:.4g}", branch.length()), skeleton.chain_codes[b]});
     }
-    std::cout << fmt::format("skeleton      {} nodes, {} branches\n", skeleton.graph.nodes.size(),
-                             skeleton.graph.branches.size())
+    std::cout << terminal_format("skeleton      {} nodes, {} branches\n",
+                                 skeleton.graph.nodes.size(), skeleton.graph.branches.size())
               << table.text();
 }
 

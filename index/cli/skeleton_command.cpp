@@ -7,8 +7,10 @@
 #include "engine/mesh/read_mesh.h"
 #include "engine/skeleton/skeletonize.h"
 #include "index/cli/command.h"
+#include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/cli/write_file.h"
+#include "index/json_text.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -46,7 +48,7 @@ Result<void> write_out(const std::string& out, const skeleton::SkeletonGraph& gr
                        const nlohmann::json& document) {
     const std::string extension = std::filesystem::path(out).extension().string();
     if (extension == ".obj") return write_file(out, wavefront_lines(graph));
-    if (extension == ".json") return write_file(out, document.dump(2) + "\n");
+    if (extension == ".json") return write_file(out, index::json_text(document, 2) + "\n");
     return {ErrorCode::kInvalidArgument,
             fmt::format("{}: a skeleton is written as .obj or .json", out)};
 }
@@ -56,15 +58,15 @@ void print_summary(const skeleton::SkeletonGraph& graph, const Options& options,
     const skeleton::GraphTopology shape = skeleton::topology(graph);
     double length = 0.0;
     for (const auto& branch : graph.branches) length += branch.length();
-    std::cout << fmt::format(
+    std::cout << terminal_format(
         "{} skeleton: {} nodes, {} branches, {} components, {} cycles, length {:.6g}\n",
         options.stage, graph.nodes.size(), graph.branches.size(), shape.components, shape.cycles,
         length);
     for (const mesh::MeshWarning& warning : warnings) {
-        std::cerr << fmt::format("warning: {}: {}\n", warning.code, warning.message);
+        std::cerr << terminal_format("warning: {}: {}\n", warning.code, warning.message);
     }
     for (const StageTime& time : times) {
-        std::cerr << fmt::format("{:<20} {:8.2f} ms\n", time.stage, time.milliseconds);
+        std::cerr << terminal_format("{:<20} {:8.2f} ms\n", time.stage, time.milliseconds);
     }
 }
 

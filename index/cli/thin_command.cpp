@@ -10,6 +10,7 @@
 #include "engine/voxel/distance_transform.h"
 #include "engine/voxel/npy.h"
 #include "index/cli/command.h"
+#include "index/cli/console.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -86,7 +87,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
                     {"runs_ms", runs_ms},
                     {"runs_processor_ms", runs_processor_ms}});
     } else {
-        std::cout << fmt::format(
+        std::cout << terminal_format(
             "{} -> {} voxels; {} components, {} tunnels, {} cavities; distance transform {:.1f} "
             "ms, "
             "thinning {:.1f} ms\n",

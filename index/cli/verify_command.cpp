@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "index/cli/command.h"
+#include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/migrations.h"
 #include "index/presentation.h"
@@ -20,16 +21,16 @@ Result<ExitCode> run(const std::string& index_path, const Session& session) {
         print_json(index::to_json(*report));
     } else {
         for (const index::Finding& finding : report->findings) {
-            std::cout << fmt::format("{}: {}\n", finding.subject, finding.message);
+            std::cout << terminal_format("{}: {}\n", finding.subject, finding.message);
         }
-        std::cout << fmt::format("{} models, {} blobs, {} failures, revision {}: {}\n",
-                                 report->models, report->blobs, report->failures, report->revision,
-                                 report->findings.empty()
-                                     ? std::string("clean")
+        std::cout << terminal_format(
+            "{} models, {} blobs, {} failures, revision {}: {}\n", report->models, report->blobs,
+            report->failures, report->revision,
+            report->findings.empty() ? std::string("clean")
                                      : fmt::format("{} findings", report->findings.size()));
     }
     if (report->version < index::schema_version()) {
-        std::cerr << fmt::format(
+        std::cerr << terminal_format(
             "{}: an index of version {}; any other command migrates it to version {}\n", index_path,
             report->version, index::schema_version());
     }

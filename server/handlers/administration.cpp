@@ -52,6 +52,23 @@ Checked<Response> add_model(Service& service, const Request& request) {
     return response;
 }
 
+Checked<Response> change_model(Service& service, const Request& request) {
+    ParameterReader reader(request.head);
+    reader.require("up");
+    const std::string axis = reader.choice("up", {"y", "z", "auto"}).value_or("");
+    if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
+    const auto id = parse_id(request.capture, "model");
+    if (!id) return tl::unexpected<Problem>(id.error());
+    std::optional<index::Up> up;
+    if (axis != "auto") up = axis == "z" ? index::Up::kZ : index::Up::kY;
+    if (const auto turned = service.jobs->turn(*id, up); !turned) return fail(turned.error());
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    Response response = json_answer(model_json(*model));
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
+
 Checked<Response> remove_model(Service& service, const Request& request) {
     if (auto fault = refuse_parameters(request.head)) {
         return tl::unexpected<Problem>(*std::move(fault));

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "index/json_text.h"
 #include "server/handlers/handlers.h"
 #include "server/multipart.h"
 #include "server/parameters.h"
@@ -19,8 +20,7 @@ tl::unexpected<Problem> fail(RequestFault fault, std::string detail, std::string
 }
 
 Response json_answer(const nlohmann::json& json) {
-    return answer("application/json",
-                  json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return answer("application/json", index::json_text(json));
 }
 
 std::optional<Problem> refuse_parameters(const RequestHead& head) {

@@ -34,6 +34,7 @@ Checked<Response> evaluation_svg(Service& service, const Request& request);
 
 std::optional<Problem> check_add_model(const Service& service, const RequestHead& head);
 Checked<Response> add_model(Service& service, const Request& request);
+Checked<Response> change_model(Service& service, const Request& request);
 Checked<Response> remove_model(Service& service, const Request& request);
 Checked<Response> get_job(Service& service, const Request& request);
 
@@ -51,6 +52,9 @@ Checked<Response> describe_interface(Service& service, const Request& request);
 
 /// 200 with JSON. Names from file systems may hold bytes that are not UTF-8; they become U+FFFD.
 [[nodiscard]] Response json_answer(const nlohmann::json& json);
+
+/// A model as lists and pages have it, with its links.
+[[nodiscard]] nlohmann::json model_json(const index::ModelSummary& model);
 
 /// Where the parts of a model are.
 [[nodiscard]] nlohmann::json model_links(index::ModelId id);

@@ -58,6 +58,12 @@ nlohmann::json model_links(index::ModelId id) {
             {"thumbnail", base + "/thumbnail.png"}};
 }
 
+nlohmann::json model_json(const index::ModelSummary& model) {
+    auto json = index::to_json(model);
+    json["links"] = model_links(model.id);
+    return json;
+}
+
 Checked<Response> list_models(Service& service, const Request& request) {
     ParameterReader reader(request.head);
     index::ModelFilter filter;
@@ -75,8 +81,7 @@ Checked<Response> list_models(Service& service, const Request& request) {
     if (!page) return fail(page.error());
     auto models = nlohmann::json::array();
     for (const index::ModelSummary& model : page->models) {
-        models.push_back(index::to_json(model));
-        models.back()["links"] = model_links(model.id);
+        models.push_back(model_json(model));
     }
     nlohmann::json json = {{"models", std::move(models)},
                            {"next_cursor", nullptr},
@@ -94,9 +99,7 @@ Checked<Response> get_model(Service& service, const Request& request) {
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());
-    auto json = index::to_json(*model);
-    json["links"] = model_links(model->id);
-    return conditional(request.head, json_answer(json));
+    return conditional(request.head, json_answer(model_json(*model)));
 }
 
 }  // namespace ossuary::server

@@ -184,7 +184,7 @@ TEST_F(IndexerTest, KnowsAModelByItsBytesWhenItsFileHasMoved) {
     fs::rename(models_ / "01_tree.off", models_ / "sub" / "oak.off");
     fs::copy_file(models_ / "02_torus.off", models_ / "sub" / "ring.off");
     IndexOptions pruning = options();
-    pruning.prune = true;
+    pruning.prune = Prune::kYes;
     const IndexOutcome outcome = run(store, pruning);
     EXPECT_EQ(outcome.moved, 1U);
     EXPECT_EQ(outcome.indexed, 1U) << "a copy is a model of its own";
@@ -227,7 +227,7 @@ TEST_F(IndexerTest, PrunesWhatIsGoneUnderThePathsAndNothingElse) {
     EXPECT_EQ(run(store).pruned, 0U) << "not asked for";
     EXPECT_EQ(store.models()->total, 6U);
     IndexOptions pruning = options();
-    pruning.prune = true;
+    pruning.prune = Prune::kYes;
     const IndexOutcome outcome = run(store, pruning);
     EXPECT_EQ(outcome.pruned, 1U);
     EXPECT_EQ(store.models()->total, 5U) << "what lies elsewhere may only be out of reach";
@@ -411,6 +411,15 @@ TEST_F(IndexerTest, DescribesUploads) {
     const auto bad = describe_upload({"OFF\n3 1 0\n", "bad", ""}, test::kCoarse);
     ASSERT_FALSE(bad);
     EXPECT_EQ(bad.error().code, ErrorCode::kOffTruncated);
+    const auto name_of = [&](const std::string& name) {
+        const auto named = describe_upload({bytes, name, ""}, test::kCoarse);
+        EXPECT_TRUE(named) << named.error().message;
+        return named ? named->summary.name : std::string();
+    };
+    EXPECT_EQ(name_of(std::string(199, 'a') + "\xC3\xA9"), std::string(199, 'a'))
+        << "cut before the character";
+    EXPECT_EQ(name_of("b\xE4r\x7F"), "b\xEF\xBF\xBDr");
+    EXPECT_EQ(name_of("\n\t"), "model");
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 NewModel described(const fs::path& path) {
-    auto model = describe_model(test::read_file(path), path.string(), {});
+    const std::string bytes = test::read_file(path), name = path.string();
+    auto model = describe_model({bytes, name}, {});
     EXPECT_TRUE(model) << model.error().message;
     return *std::move(model);
 }
@@ -74,7 +75,8 @@ TEST(ModelSegments, AreThoseOfTheFile) {
 }
 
 TEST(ModelSegments, NameBranchesOfTheStoredSkeleton) {
-    const auto model = describe_model(mesh::to_off(test::capsule_tree_mesh()), "tree", {});
+    const std::string off = mesh::to_off(test::capsule_tree_mesh());
+    const auto model = describe_model({off, "tree"}, {});
     ASSERT_TRUE(model && model->segments);
     std::size_t named = 0;
     for (const auto& part : model->segments->parts) {

@@ -151,6 +151,8 @@ TEST(ReportText, EscapesWhatWouldBeMarkup) {
     EXPECT_EQ(markup_text("<a b=\"c\">&"), "&lt;a b=&quot;c&quot;&gt;&amp;");
     EXPECT_EQ(csv_field("plain"), "plain");
     EXPECT_EQ(csv_field("a\"b,c\n"), "\"a\"\"b,c\n\"");
+    EXPECT_EQ(markup_text("b\xE4r\x1B\xEF\xBF\xBF"), "b\xEF\xBF\xBDr\xEF\xBF\xBD\xEF\xBF\xBD");
+    EXPECT_EQ(csv_field("b\xE4r"), "b\xEF\xBF\xBDr");
     EXPECT_EQ(fixed(0.12345, 3), "0.123");
     EXPECT_EQ(fixed(1e300, 1).size(), 303U);
     EXPECT_EQ(shortest(0.1), "0.1");

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Arrows run one way: server → index → engine, and inside the engine from the later stage to the
-# earlier; a third party's headers stay behind the files that adapt them. Fails on any include that
-# runs back, and proves first, on a planted tree, that it can fail. The gallery's imports are held by
+# earlier; a third party's headers stay behind the files that adapt them; text leaves the program
+# only where it is made fit to show. Fails on whatever runs back or past, and proves first, on a
+# planted tree, that it can fail. The gallery's imports are held by
 # web/tests/layering.test.ts.
 set -euo pipefail
 
@@ -63,6 +64,16 @@ check_tree() {
         done
     done < <(cd "$root" && grep -rnE '^[[:space:]]*#[[:space:]]*include' --include='*.h' \
         --include='*.cpp' --exclude-dir=build engine index server tests 2> /dev/null || true)
+    # Text that others wrote leaves the program in two ways that make it fit to show.
+    while IFS=: read -r file line found; do
+        [[ $file == index/json_text.h ]] && continue
+        echo "$file:$line: JSON is written by json_text alone: $found"; bad=1
+    done < <(cd "$root" && grep -rnE '[.>]dump\(' --include='*.h' --include='*.cpp' engine index server \
+        2> /dev/null || true)
+    while IFS=: read -r file line found; do
+        echo "$file:$line: lines for people are written with terminal_format: $found"; bad=1
+    done < <(cd "$root" && grep -rnE 'std::c(out|err) << (fmt::format|[a-z_.>]*(name|path|message)\b)' \
+        --include='*.cpp' index/cli 2> /dev/null || true)
     # Each folder of the engine is a namespace; core holds the words that all of them share.
     for rule in "${stages[@]:1}"; do
         while read -r file; do
@@ -75,7 +86,7 @@ check_tree() {
 
 planted=$(mktemp -d)
 trap 'rm -rf "$planted"' EXIT
-mkdir -p "$planted"/{engine/core,engine/voxel,engine/ranking,index,server,tests}
+mkdir -p "$planted"/{engine/core,engine/voxel,engine/ranking,index/cli,server,tests}
 echo '#include "engine/ranking/ranker.h"' > "$planted/engine/voxel/back.cpp"
 echo '#include "server/http.h"' > "$planted/index/back.cpp"
 echo '#include <httplib.h>' > "$planted/server/handler.cpp"
@@ -83,9 +94,12 @@ echo '#include "result.h"' > "$planted/engine/core/local.cpp"
 echo 'namespace ossuary { struct Path; }' > "$planted/engine/voxel/elsewhere.h"
 printf '%s\n' '#include "engine/core/result.h"' 'namespace ossuary::voxel {' '}' \
     > "$planted/engine/voxel/fine.cpp"
+echo 'write(json.dump(2));' > "$planted/index/writer.cpp"
+echo 'std::cerr << fmt::format("{}\n", name);' > "$planted/index/cli/raw.cpp"
+echo 'std::cout << model.name;' > "$planted/index/cli/rawer.cpp"
 found=$(check_tree "$planted" || true)
 for expected in engine/voxel/back.cpp index/back.cpp server/handler.cpp engine/core/local.cpp \
-    engine/voxel/elsewhere.h; do
+    engine/voxel/elsewhere.h index/writer.cpp index/cli/raw.cpp index/cli/rawer.cpp; do
     grep -q "^$expected:" <<< "$found" || { echo "the check does not see $expected"; exit 1; }
 done
 ! grep -q fine.cpp <<< "$found" || { echo "the check blames fine.cpp"; exit 1; }

@@ -107,7 +107,7 @@ TEST_F(Application, NamesTheMethodsOfAPath) {
         EXPECT_TRUE(answer.status == 405 || answer.status == 204) << answer.status;
         return answer.header("Allow");
     };
-    EXPECT_EQ(allow("PUT", "/v1/models/1"), "GET, HEAD, DELETE, OPTIONS");
+    EXPECT_EQ(allow("PUT", "/v1/models/1"), "GET, HEAD, PATCH, DELETE, OPTIONS");
     EXPECT_EQ(allow("GET", "/v1/search"), "POST, OPTIONS");
     EXPECT_EQ(allow("DELETE", "/"), "GET, HEAD, OPTIONS");
     EXPECT_EQ(allow("OPTIONS", "/v1/models"), "GET, HEAD, POST, OPTIONS");
@@ -208,6 +208,29 @@ TEST_F(Application, AddsAndRemovesModels) {
     EXPECT_EQ(server.code(get(path), 404), "model_not_found");
     EXPECT_EQ(server.code(test::request("DELETE", path, bearer(kKey)), 404), "model_not_found");
     EXPECT_EQ(server.json(post("/v1/search", built_models()[4].off))["models"], 6);
+}
+
+TEST_F(Application, TurnsModels) {
+    const TestServer server(index_, with_key());
+    const auto patch = [](const std::string& target, const std::string& headers) {
+        return test::request("PATCH", target, headers);
+    };
+    const std::string picture = server.ask(get("/v1/models/5/thumbnail.png")).body;
+    const std::string before = server.json(get("/v1/models/5"))["up"];
+    const std::string other = before == "y" ? "z" : "y";
+    const RawAnswer turned = server.ask(patch("/v1/models/5?up=" + other, bearer(kKey)));
+    ASSERT_EQ(turned.status, 200) << turned.body;
+    EXPECT_EQ(nlohmann::json::parse(turned.body), server.json(get("/v1/models/5")));
+    EXPECT_EQ(server.json(get("/v1/models/5"))["up"], other);
+    EXPECT_EQ(server.json(get("/v1/compare?a=5&b=1"))["a"]["up"], other);
+    EXPECT_NE(server.ask(get("/v1/models/5/thumbnail.png")).body, picture);
+    EXPECT_EQ(server.ask(patch("/v1/models/5?up=auto", bearer(kKey))).status, 200);
+    EXPECT_EQ(server.json(get("/v1/models/5"))["up"], before);
+
+    EXPECT_EQ(server.code(patch("/v1/models/5", bearer(kKey)), 400), "parameter_missing");
+    EXPECT_EQ(server.code(patch("/v1/models/5?up=x", bearer(kKey)), 400), "parameter_invalid");
+    EXPECT_EQ(server.code(patch("/v1/models/99?up=z", bearer(kKey)), 404), "model_not_found");
+    EXPECT_EQ(server.code(patch("/v1/models/5?up=z", ""), 401), "admin_key_missing");
 }
 
 TEST_F(Application, RefusesToQueueWhatCannotBeRead) {

@@ -240,6 +240,7 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
     hold("get", models + "/{id}", get(models + "/1", "If-None-Match: *\r\n"), 304);
     hold("get", models + "/{id}", get(models + "/x"), 400);
     hold("get", models + "/{id}", get(models + "/99"), 404);
+    hold("patch", models + "/{id}", test::request("PATCH", models + "/1?up=z"), 403);
     hold("delete", models + "/{id}", test::request("DELETE", models + "/1"), 403);
     hold("get", models + "/{id}/similar", get(models + "/1/similar"), 200);
     hold("get", models + "/{id}/similar", get(models + "/99/similar"), 404);

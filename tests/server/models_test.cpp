@@ -113,7 +113,7 @@ TEST_F(Models, SaysWhyAModelHasNoParts) {
     auto store = index::Store::open(index_, index::Access::kReadWrite);
     ASSERT_TRUE(store);
     const std::string off = mesh::to_off(torus_mesh(3.0, 1.0, 16, 8));
-    auto model = index::describe_model(off, "whole", store->parameters());
+    auto model = index::describe_model({off, "whole"}, store->parameters());
     ASSERT_TRUE(model && model->segments);
     model->summary.name = "whole";
     model->segments.reset();

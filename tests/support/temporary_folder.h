@@ -18,4 +18,8 @@ private:
     std::filesystem::path path_;
 };
 
+/// Makes a folder inside `parent` that nobody can read by its path, not even root: it lies deeper
+/// than a path may be long. Returns the first folder of the way down.
+std::filesystem::path make_unreadable_folder(const std::filesystem::path& parent);
+
 }  // namespace ossuary::test

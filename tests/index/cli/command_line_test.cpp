@@ -61,7 +61,7 @@ protected:
 
 TEST_F(CommandLineTest, HelpAndVersionGoToStdoutWithStatusZero) {
     for (const char* command : {"index", "search", "compare", "evaluate", "skeleton", "thin",
-                                "models", "show", "remove", "verify", "export"}) {
+                                "models", "show", "remove", "up", "verify", "export"}) {
         const ProgramResult help = run({command, "--help"});
         EXPECT_EQ(help.exit_status, 0) << command;
         EXPECT_THAT(help.out, HasSubstr("--json")) << command;
@@ -274,6 +274,35 @@ TEST_F(CommandLineTest, RemoveTakesAllThatAreNamedOrNothing) {
     EXPECT_EQ(run({"remove", "--index", index_file(), first}).exit_status, 0);
     EXPECT_EQ(count(), kModels - 1);
     EXPECT_EQ(run({"verify", "--index", index_file()}).exit_status, 0);
+}
+
+TEST_F(CommandLineTest, UpTurnsModelsAndSaysSo) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const std::string first = model_files()[0].stem(), second = model_files()[1].stem();
+    const auto axis_of = [&](const std::string& model) {
+        return run({"show", "--index", index_file(), model, "--json"}).json().at("up");
+    };
+    const ProgramResult turned = run({"up", "--index", index_file(), first, "#2", "z", "--json"});
+    ASSERT_EQ(turned.exit_status, 0) << turned.err;
+    EXPECT_EQ(turned.json().at("models").size(), 2);
+    EXPECT_EQ(turned.json().at("models")[1].at("name"), second);
+    EXPECT_EQ(axis_of(first), "z");
+    EXPECT_EQ(axis_of(second), "z");
+    EXPECT_THAT(run({"up", "--index", index_file(), first, "y"}).out, HasSubstr("y up"));
+    EXPECT_EQ(axis_of(first), "y");
+    EXPECT_EQ(run({"up", "--index", index_file(), first, "auto"}).exit_status, 0);
+    EXPECT_EQ(run({"up", "--index", index_file(), first, "x"}).exit_status, 2);
+    EXPECT_EQ(run({"up", "--index", index_file(), first}).exit_status, 2);
+    EXPECT_EQ(run({"up", "--index", index_file(), "no-such-model", "z"}).exit_status, 1);
+    EXPECT_EQ(run({"verify", "--index", index_file()}).exit_status, 0);
+
+    const ProgramResult all =
+        run({"index", "--index", index_file(), "--up", "z", models(), "--json"});
+    ASSERT_EQ(all.exit_status, 0) << all.err;
+    EXPECT_EQ(all.json().at("unchanged"), kModels);
+    EXPECT_GE(all.json().at("turned").get<int>(), kModels - 1);
+    EXPECT_EQ(axis_of(first), "z");
+    EXPECT_EQ(run({"index", "--index", index_file(), "--up", "x", models()}).exit_status, 2);
 }
 
 TEST_F(CommandLineTest, ExportPrintsOneJsonDocumentALine) {
