@@ -65,7 +65,7 @@ TEST(ReadOff, HoldsEachCapExactly) {
     options.max_coordinate = 1;
     EXPECT_EQ(code_of(kTriangle, options), "ok");
     options.max_coordinate = 0.5;
-    EXPECT_EQ(code_of(kTriangle, options), "off_non_finite");
+    EXPECT_EQ(code_of(kTriangle, options), "mesh_scale");
 }
 
 TEST(ReadOff, DoesNotAllocateWhatTheCountsPromiseWhenCapsAreRaised) {
