@@ -119,8 +119,8 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
 
     std::vector<matching::SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
     lap("describe_skeleton");
-    const Result<void> traced = trace_turned(
-        skeleton.body.of(mesh), with_body(skeleton.body, options), skeletons, stop);
+    const Result<void> traced =
+        trace_turned(skeleton.body.of(mesh), with_body(skeleton.body, options), skeletons, stop);
     if (!traced) return traced.error();
     lap("turned_skeletons");
     if (stop.stop_requested()) return cancelled();

@@ -86,8 +86,8 @@ bool NearbyGrouper::occupy_insides(std::span<const std::uint32_t> triangles,
     for (const std::uint32_t t : triangles) {
         const auto& [i, j, k] = mesh_.triangles[t];
         const Vec3 &a = positions_[i], &b = positions_[j], &c = positions_[k];
-        const Vec3 longest = (b - a).cwiseAbs().cwiseMax((c - a).cwiseAbs()).cwiseMax(
-            (c - b).cwiseAbs());
+        const Vec3 longest =
+            (b - a).cwiseAbs().cwiseMax((c - a).cwiseAbs()).cwiseMax((c - b).cwiseAbs());
         const auto steps = static_cast<std::size_t>(std::ceil(longest.maxCoeff() / cell_size_));
         if (steps < 2) continue;
         samples += (steps + 1) * (steps + 2) / 2;

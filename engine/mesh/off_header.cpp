@@ -16,10 +16,10 @@ bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether a text is a word in capitals, written in any case.
 bool spells(std::string_view text, std::string_view capitals) {
-    return std::equal(
-        text.begin(), text.end(), capitals.begin(), capitals.end(), [](char c, char capital) {
-            return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
-        });
+    return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
+                      [](char c, char capital) {
+                          return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
+                      });
 }
 
 /// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.

@@ -12,10 +12,10 @@ namespace ossuary::mesh {
 ///
 /// Taken: a byte order mark; LF, CR LF and lone CR; comments anywhere; counts on the line of the
 /// header word or glued to it (`OFF3 1 0`); the header word in any case, or none at all, which the
-/// format allows; no edge count. One vertex and one face a line, the rest of the line being normals, colours or
-/// texture coordinates, which are skipped; where the lines do not fit, the text is read as a free
-/// sequence of numbers instead, provided that it comes out even. Polygons are triangulated. Faces
-/// of any shape are kept, those with fewer than three corners give no triangle.
+/// format allows; no edge count. One vertex and one face a line, the rest of the line being
+/// normals, colours or texture coordinates, which are skipped; where the lines do not fit, the text
+/// is read as a free sequence of numbers instead, provided that it comes out even. Polygons are
+/// triangulated. Faces of any shape are kept, those with fewer than three corners give no triangle.
 ///
 /// Refused, naming the line, what was expected and what was found: off_header; off_binary (also
 /// for NUL bytes); off_dimension (4OFF, nOFF other than 3); off_counts; off_too_many_vertices,

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -82,8 +84,7 @@ std::vector<mesh::TriangleMesh> read_models(const std::filesystem::path& folder)
 void run(const std::filesystem::path& folder) {
     const std::vector<mesh::TriangleMesh> models = read_models(folder);
     std::vector<descriptor::ModelDescriptor> originals(models.size());
-    parallel_for(models.size(), 2,
-                 [&](std::size_t i) { originals[i] = descriptor_of(models[i]); });
+    parallel_for(models.size(), 2, [&](std::size_t i) { originals[i] = descriptor_of(models[i]); });
     std::vector<const descriptor::ModelDescriptor*> pointers;
     for (const auto& original : originals) pointers.push_back(&original);
     const auto statistics = ranking::collection_statistics(pointers, 2);
@@ -95,8 +96,8 @@ void run(const std::filesystem::path& folder) {
             parallel_for(models.size(), 2, [&](std::size_t i) {
                 const mesh::MeshMeasures measures = mesh::measure(models[i]);
                 const double size = measures.bounds.sizes().maxCoeff();
-                const Vec3 place = measures.bounds.center() +
-                                   distance * size * Vec3(0.48, 0.64, 0.6);
+                const Vec3 place =
+                    measures.bounds.center() + distance * size * Vec3(0.48, 0.64, 0.6);
                 const auto changed = descriptor_of(kind.add(models[i], place, size));
                 for (std::size_t r = 0; r < 3; ++r) {
                     const ranking::RankOptions options = {.ranker = ranking::kAllRankers[r]};

@@ -66,9 +66,8 @@ TEST(Body, LeavesOutASpeckAtAnyDistance) {
          {kTree, soup_of(kTree), test::without_some_triangles(kTree, 0.2, 3)}) {
         const double size = size_of(model);
         for (const double distance : {2.0, 20.0, 2000.0, 1e6, 1e12}) {
-            const TriangleMesh mesh =
-                test::merged(model, speck_at(Vec3(0.6, 0.7, -0.4).normalized() * distance * size,
-                                             1e-3 * size));
+            const TriangleMesh mesh = test::merged(
+                model, speck_at(Vec3(0.6, 0.7, -0.4).normalized() * distance * size, 1e-3 * size));
             expect_first(model.triangles.size(), mesh, std::to_string(distance));
             EXPECT_EQ(find_body(mesh).pieces_apart, 1u);
             EXPECT_TRUE(find_body(mesh).axes.isApprox(find_body(model).axes, 1e-12));
@@ -119,7 +118,8 @@ TEST(Body, KeepsManySmallPiecesThatAreTheModel) {
         // Twenty times as far from each other as they are large.
         const Vec3 anywhere(at_random(-3, 3), at_random(-3, 3), at_random(-3, 3));
         swarm = test::merged(swarm, test::icosphere_mesh(anywhere, 0.02, 1));
-        const Vec3 twig = Vec3(0, 0, 2) + Vec3(at_random(-1, 1), at_random(-1, 1), at_random(-1, 1));
+        const Vec3 twig =
+            Vec3(0, 0, 2) + Vec3(at_random(-1, 1), at_random(-1, 1), at_random(-1, 1));
         crown = test::merged(crown, test::box_mesh(twig, twig + Vec3(0.08, 0.06, 0.001)));
     }
     for (int i = 0; i < 40; ++i) {
@@ -156,8 +156,8 @@ TEST(Body, DoesNotDependOnPoseSizePlaceOrNumbering) {
     EXPECT_EQ(kept, 2 * kTree.triangles.size());
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const double scale = std::pow(10.0, static_cast<double>(seed) - 5);
-        TriangleMesh moved = test::transformed(
-            mesh, scale * test::random_rotation(seed), scale * Vec3(7, -3, 2));
+        TriangleMesh moved =
+            test::transformed(mesh, scale * test::random_rotation(seed), scale * Vec3(7, -3, 2));
         if (seed % 2 == 0) moved = test::renumbered(moved, seed);
         if (seed % 3 == 0) moved = test::transformed(moved, Vec3(-1, 1, 1).asDiagonal());
         EXPECT_EQ(find_body(moved).of(moved).triangles.size(), kept) << seed;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/skeleton/skeletonize.h"
 #include "tests/support/shapes.h"
