@@ -96,6 +96,7 @@ const std::vector<ErrorRow>& error_rows() {
         {kSolidEmpty, 422, "Model without a solid"},
         {kNpyInvalid, 422, "Unusable volume"},
         {kVolumeTooLarge, 413, "Volume too large"},
+        {kMeshScale, 422, "Mesh of a scale that floats cannot hold"},
         {kClaInvalid, 422, "Unusable classification"},
         {kClaUnknownModel, 422, "Classification names an unknown model"},
         {kSegInvalid, 422, "Unusable segmentation"},

@@ -40,6 +40,7 @@ enum class ErrorCode {
     kSolidEmpty,
     kNpyInvalid,
     kVolumeTooLarge,
+    kMeshScale,
     // classification files, labels
     kClaInvalid,
     kClaUnknownModel,
@@ -93,6 +94,7 @@ inline constexpr std::array kErrorCodeNames = {
     ErrorCodeName{ErrorCode::kSolidEmpty, "solid_empty"},
     ErrorCodeName{ErrorCode::kNpyInvalid, "npy_invalid"},
     ErrorCodeName{ErrorCode::kVolumeTooLarge, "volume_too_large"},
+    ErrorCodeName{ErrorCode::kMeshScale, "mesh_scale"},
     ErrorCodeName{ErrorCode::kClaInvalid, "cla_invalid"},
     ErrorCodeName{ErrorCode::kClaUnknownModel, "cla_unknown_model"},
     ErrorCodeName{ErrorCode::kSegInvalid, "seg_invalid"},

@@ -10,7 +10,6 @@
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
 #include "engine/descriptor/solid_surface.h"
-#include "engine/mesh/canonical_pose.h"
 #include "engine/skeleton/tube_radii.h"
 
 namespace ossuary::descriptor {
@@ -58,13 +57,12 @@ matching::SkeletonDescriptor describe_limbs(const skeleton::Skeleton& skeleton,
     return descriptor;
 }
 
-/// The same options with the canonical pose, where it is asked for, as the grid's rotation.
-DescribeOptions with_pose(const mesh::TriangleMesh& mesh, const DescribeOptions& options) {
+/// Options for more grids over what the first one was laid over, as it lay there.
+DescribeOptions with_body(const mesh::Body& body, const DescribeOptions& options) {
     DescribeOptions result = options;
-    if (options.skeletonize.canonical_pose) {
-        result.skeletonize.voxelize.rotation = mesh::canonical_pose(mesh);
-        result.skeletonize.canonical_pose = false;
-    }
+    result.skeletonize.voxelize.rotation = body.axes;
+    result.skeletonize.voxelize.whole_mesh = true;
+    result.skeletonize.canonical_pose = false;
     return result;
 }
 
@@ -100,9 +98,8 @@ Result<void> trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions&
 
 }  // namespace
 
-Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& wanted,
+Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& options,
                              std::stop_token stop) {
-    const DescribeOptions options = with_pose(mesh, wanted);
     Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, options.skeletonize, stop);
     if (!made) return made.error();
     const skeleton::Skeleton& skeleton = *made;
@@ -122,9 +119,9 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
 
     std::vector<matching::SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
     lap("describe_skeleton");
-    if (const auto traced = trace_turned(mesh, options, skeletons, stop); !traced) {
-        return traced.error();
-    }
+    const Result<void> traced =
+        trace_turned(skeleton.body.of(mesh), with_body(skeleton.body, options), skeletons, stop);
+    if (!traced) return traced.error();
     lap("turned_skeletons");
     if (stop.stop_requested()) return cancelled();
 
@@ -136,6 +133,7 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
 
     description.descriptor.signature =
         preselection_signature(description.descriptor.skeleton, description.descriptor.globals);
+    description.body = std::move(made->body);
     description.skeleton = skeleton::to_world(skeleton.refined, skeleton.solid.world_from_grid);
     lap("signature");
     return description;

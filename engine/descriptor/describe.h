@@ -24,6 +24,7 @@ inline constexpr int kMaxTurnedGrids = 6;
 /// All that the index keeps of a model and the rankers need of a query.
 struct Description {
     ModelDescriptor descriptor;
+    mesh::Body body;  ///< what of the mesh was described
     skeleton::SkeletonGraph
         skeleton;  ///< refined, in the model's own units; what correspondences index into
     std::vector<mesh::MeshWarning> warnings;

@@ -10,6 +10,15 @@ Vec3 area_vector(const TriangleMesh& mesh, std::size_t triangle) {
     return 0.5 * (b - a).cross(c - a);
 }
 
+Box3 bounds_of(const TriangleMesh& mesh, bool with_area) {
+    Box3 bounds;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (with_area && is_degenerate(mesh, t)) continue;
+        for (const std::uint32_t vertex : mesh.triangles[t]) bounds.extend(mesh.vertices[vertex]);
+    }
+    return bounds;
+}
+
 }  // namespace
 
 double triangle_area(const TriangleMesh& mesh, std::size_t triangle) {
@@ -33,9 +42,8 @@ bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle) {
 
 MeshMeasures measure(const TriangleMesh& mesh) {
     MeshMeasures measures;
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-        for (const std::uint32_t vertex : triangle) measures.bounds.extend(mesh.vertices[vertex]);
-    }
+    measures.bounds = bounds_of(mesh, true);
+    if (measures.bounds.isEmpty()) measures.bounds = bounds_of(mesh, false);
     if (mesh.empty()) return measures;
     // Sums are taken about the centre of the box: far from the origin the volume would cancel out.
     const Vec3 center = measures.bounds.center();

@@ -6,7 +6,8 @@
 
 namespace ossuary::mesh {
 
-/// Sizes of a surface in model units. Only what triangles use counts; stray vertices do not.
+/// Sizes of a surface in model units. Only triangles with area count, where there are any; stray
+/// vertices do not.
 struct MeshMeasures {
     double surface_area = 0.0;
     /// By the divergence theorem; positive for a closed surface that faces outwards, meaningless

@@ -1,5 +1,6 @@
 #include "engine/mesh/off_header.h"
 
+#include <algorithm>
 #include <string>
 
 namespace ossuary::mesh {
@@ -13,6 +14,14 @@ Error at_line(const OffScanner& scanner, ErrorCode code, const std::string& text
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// Whether a text is a word in capitals, written in any case.
+bool spells(std::string_view text, std::string_view capitals) {
+    return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
+                      [](char c, char capital) {
+                          return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
+                      });
+}
+
 /// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.
 struct HeaderWord {
     OffHeader header;
@@ -22,26 +31,42 @@ struct HeaderWord {
     bool recognised = false;
 };
 
+/// Files in the wild write it in any case. Only `nOFF` and `NOFF` are told apart by it: a small n
+/// before OFF in capitals names the dimension, any other stands for normals.
 HeaderWord split_header_word(std::string_view token) {
     HeaderWord word;
+    const std::size_t prefixes = std::min(token.find_first_not_of("STCN4stcn"), token.size());
+    const std::string_view off = token.substr(prefixes, 3);
+    if (!spells(off, "OFF")) return word;
     std::size_t at = 0;
     const auto take = [&](std::string_view part) {
-        if (token.substr(at, part.size()) != part) return false;
+        if (!spells(token.substr(at, part.size()), part)) return false;
         at += part.size();
         return true;
     };
     // The prefixes have an order on paper that files in the wild do not keep.
-    for (bool more = true; more;) {
-        more = false;
-        if (take("ST")) word.header.has_texture_coordinates = more = true;
-        if (take("C")) word.header.has_colors = more = true;
-        if (take("N")) word.header.has_normals = more = true;
-        if (take("4")) word.four_components = more = true;
-        if (take("n")) word.names_dimension = more = true;
+    while (at < prefixes) {
+        const bool names_dimension = token[at] == 'n' && off == "OFF";
+        if (take("ST")) {
+            word.header.has_texture_coordinates = true;
+        } else if (take("C")) {
+            word.header.has_colors = true;
+        } else if (take("4")) {
+            word.four_components = true;
+        } else if (take("N")) {
+            (names_dimension ? word.names_dimension : word.header.has_normals) = true;
+        } else {
+            return word;
+        }
     }
-    word.recognised = take("OFF") || (at == 0 && take("off"));
-    word.length = at;
+    word.recognised = true;
+    word.length = prefixes + off.size();
     return word;
+}
+
+/// What may be glued to the header word: counts, or what marks a binary file.
+bool may_follow_word(std::string_view glued) {
+    return glued.empty() || is_decimal_digit(glued[0]) || spells(glued, "BINARY");
 }
 
 /// Reads the header word; false in `has_word` where the file starts with its counts.
@@ -55,12 +80,12 @@ Result<OffHeader> read_word(OffScanner& scanner) {
     }
     const HeaderWord word = split_header_word(token);
     const std::string_view glued = token.substr(word.length);
-    if (!word.recognised || (!glued.empty() && !is_decimal_digit(glued[0]) && glued != "BINARY")) {
+    if (!word.recognised || !may_follow_word(glued)) {
         return at_line(scanner, ErrorCode::kOffHeader,
                        "expected the header word OFF, found " + quoted_token(token));
     }
     scanner.advance(word.length);
-    if (!scanner.at_line_end() && scanner.peek_token() == "BINARY") {
+    if (!scanner.at_line_end() && spells(scanner.peek_token(), "BINARY")) {
         return at_line(scanner, ErrorCode::kOffBinary,
                        "expected a text OFF file, found a binary one");
     }
@@ -157,9 +182,10 @@ bool looks_like_off(std::string_view text) {
     }
     if (!scanner.find_token()) return false;
     const std::string_view token = scanner.peek_token();
-    constexpr std::size_t kLongestPrefix = 6;  // STCN4n
-    const std::size_t word = token.find("OFF");
-    if (word <= kLongestPrefix || token.substr(0, 3) == "off") return true;
+    const HeaderWord word = split_header_word(token);
+    if (word.recognised && may_follow_word(token.substr(word.length))) return true;
+    constexpr std::size_t kLongestPrefix = 6;  // STCN4n; a misspelt one is told so
+    if (token.find("OFF") <= kLongestPrefix) return true;
     for (int count = 0; count < 3; ++count) {
         std::uint64_t ignored = 0;
         if (scanner.at_line_end() || scanner.read_count(ignored) != NumberStatus::kOk) return false;

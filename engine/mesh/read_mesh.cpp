@@ -5,10 +5,12 @@
 #include <cctype>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <system_error>
 
 #include "engine/mesh/inspect.h"
+#include "engine/mesh/measures.h"
 #include "engine/mesh/off_scanner.h"
 #include "engine/mesh/read_off.h"
 #include "engine/mesh/recognise_format.h"
@@ -59,6 +61,17 @@ Result<FileContents> read_file(const std::filesystem::path& path, std::uint64_t 
     return contents;
 }
 
+Result<void> check_extent(const TriangleMesh& mesh, std::string_view name,
+                          const ReadMeshOptions& options) {
+    if (mesh.empty()) return {};
+    const double extent = measure(mesh).bounds.sizes().maxCoeff();
+    if (extent == 0.0 || extent >= options.min_extent) return {};
+    std::ostringstream text;
+    text << name << ": expected an extent of at least " << options.min_extent << ", found "
+         << extent;
+    return {ErrorCode::kMeshScale, text.str()};
+}
+
 }  // namespace
 
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
@@ -75,6 +88,9 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
     if (format == ModelFormat::kOff) {
         Result<ReadMeshResult> result = read_off(bytes, name, options);
         if (!result) return result;
+        if (Result<void> checked = check_extent(result->mesh, name, options); !checked) {
+            return checked.error();
+        }
         for (MeshWarning& warning : surface_warnings(result->mesh)) {
             result->warnings.push_back(std::move(warning));
         }

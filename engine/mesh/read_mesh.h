@@ -18,8 +18,10 @@ struct ReadMeshOptions {
     std::uint32_t max_faces = 10'000'000;
     std::uint32_t max_face_corners = 10'000;
     std::uint32_t max_triangles = 20'000'000;  ///< after triangulation
-    /// Larger magnitudes are refused like infinities: squares of areas would overflow.
-    double max_coordinate = 1e70;
+    /// Larger magnitudes and smaller models are refused: results are kept and sent as floats, which
+    /// end at 3.4e38 and 1.2e-38.
+    double max_coordinate = 1e30;
+    double min_extent = 1e-30;  ///< of the longest side of the box around the faces with area
 };
 
 struct ReadMeshResult {
@@ -31,7 +33,8 @@ struct ReadMeshResult {
 /// What is odd about the surface but does not keep it from being used comes back as warnings.
 /// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported (the message names
 /// the format that was recognised), format_unknown, and those of the format's own reader
-/// (read_off.h). A file that holds no face is no error; its mesh is empty.
+/// (read_off.h); mesh_scale (coordinates or an extent beyond the options' limits). A file that
+/// holds no face is no error, nor is one whose faces are all in one place.
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
                                  const ReadMeshOptions& options = {});
 

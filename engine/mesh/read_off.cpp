@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 
 #include "engine/mesh/off_header.h"
@@ -77,6 +78,7 @@ private:
                                                   ", the file ends after " + std::to_string(done));
     }
     [[nodiscard]] Error bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const;
+    [[nodiscard]] Error coordinate_too_large(std::uint64_t vertex, int axis) const;
     [[nodiscard]] Error bad_corner(std::uint64_t face, std::size_t corner, NumberStatus status,
                                    std::uint64_t index) const;
 
@@ -99,13 +101,23 @@ private:
     std::size_t first_trailing_line_ = 0;
 };
 
+std::string name_of_coordinate(std::uint64_t vertex, int axis) {
+    return std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(vertex);
+}
+
 Error OffBodyReader::bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const {
-    const std::string what = std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(vertex) +
-                             ": expected a finite number, found " +
-                             quoted_token(scanner_.peek_token());
     return fail(
         status == NumberStatus::kNonFinite ? ErrorCode::kOffNonFinite : ErrorCode::kOffBadNumber,
-        what);
+        name_of_coordinate(vertex, axis) + ": expected a finite number, found " +
+            quoted_token(scanner_.peek_token()));
+}
+
+Error OffBodyReader::coordinate_too_large(std::uint64_t vertex, int axis) const {
+    std::ostringstream limit;
+    limit << options_.max_coordinate;
+    return fail(ErrorCode::kMeshScale, name_of_coordinate(vertex, axis) +
+                                           ": expected a magnitude of at most " + limit.str() +
+                                           ", found " + quoted_token(scanner_.peek_token()));
 }
 
 Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines) {
@@ -121,7 +133,7 @@ Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines)
         if (status != NumberStatus::kOk) return bad_coordinate(vertex, axis, status);
         if (std::abs(position[axis]) > options_.max_coordinate) {
             scanner_ = before;
-            return bad_coordinate(vertex, axis, NumberStatus::kNonFinite);
+            return coordinate_too_large(vertex, axis);
         }
     }
     mesh_.vertices.push_back(position);

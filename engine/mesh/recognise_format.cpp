@@ -22,6 +22,22 @@ bool is_binary_stl(std::string_view bytes) {
     return triangles > 0 && bytes.size() == kHeader + kTriangle * triangles;
 }
 
+/// The other objects of Geomview, of which OFF is one, by the first word of their files.
+bool is_geomview(std::string_view bytes) {
+    constexpr std::array<std::string_view, 10> kWords = {
+        "LIST", "INST", "VECT", "SKEL", "MESH", "QUAD", "BEZ", "TLIST", "SPHERE", "appearance"};
+    OffScanner scanner(bytes);
+    if (!scanner.find_token()) return false;
+    std::string_view token = scanner.peek_token();
+    if (token.starts_with('{')) {  // an object within braces
+        scanner.advance(1);
+        if (!scanner.find_token()) return false;
+        token = scanner.peek_token();
+        if (token == "=" || looks_like_off(token)) return true;
+    }
+    return std::find(kWords.begin(), kWords.end(), token) != kWords.end();
+}
+
 bool is_obj(std::string_view bytes) {
     constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp",     "f",     "o",
                                                             "g", "s",  "l",  "mtllib", "usemtl"};
@@ -56,6 +72,7 @@ ModelFormat recognise_format(std::string_view bytes) {
     if (text.starts_with("<?xml") || text.starts_with("<COLLADA") || text.starts_with("<X3D")) {
         return ModelFormat::kXml;
     }
+    if (is_geomview(bytes)) return ModelFormat::kGeomview;
     return is_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
 }
 
@@ -87,6 +104,8 @@ std::string_view to_string(ModelFormat format) {
             return "FBX";
         case ModelFormat::kStep:
             return "STEP";
+        case ModelFormat::kGeomview:
+            return "Geomview (not OFF)";
     }
     assert(false);
     return "unknown";

@@ -2,6 +2,7 @@
 
 #include "engine/mesh/canonical_pose.h"
 #include "engine/skeleton/extract_graph.h"
+#include "engine/skeleton/surface_points.h"
 
 namespace ossuary::skeleton {
 namespace {
@@ -10,18 +11,25 @@ Error cancelled(const char* before) {
     return {ErrorCode::kCancelled, std::string("skeletonize: stopped before ") + before};
 }
 
-/// The model's vertices in voxels of the grid: the surface of eq. 3.3.
-std::vector<Vec3> surface_points(const mesh::TriangleMesh& mesh,
-                                 const WorldFromGrid& world_from_grid) {
-    std::vector<Vec3> points;
-    points.reserve(mesh.vertices.size());
-    for (const Vec3& vertex : mesh.vertices) points.push_back(world_from_grid.grid(vertex));
-    return points;
+mesh::Body body_of(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options,
+                   const std::stop_token& stop) {
+    std::optional<Mat3> axes;
+    if (!options.canonical_pose) axes = options.voxelize.rotation;
+    if (!options.voxelize.whole_mesh) {
+        return mesh::find_body(mesh, voxel::body_options(options.voxelize, axes), stop);
+    }
+    mesh::Body body;
+    body.axes = axes ? *axes : mesh::canonical_pose(mesh);
+    return body;
+}
+
+bool needs_surface(const RefineOptions& options) {
+    return options.significance || options.pruning == PruningMethod::kSignificance;
 }
 
 }  // namespace
 
-Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options,
+Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, const SkeletonizeOptions& options,
                              std::stop_token stop) {
     Skeleton skeleton;
     Stopwatch watch;
@@ -29,11 +37,16 @@ Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOp
         skeleton.stage_times.push_back({stage, watch.lap_ms()});
     };
     if (stop.stop_requested()) return cancelled("voxelize");
+    skeleton.body = body_of(whole, options, stop);
+    const mesh::TriangleMesh& mesh = skeleton.body.of(whole);
     voxel::VoxelizeOptions voxelize_options = options.voxelize;
-    if (options.canonical_pose) voxelize_options.rotation = mesh::canonical_pose(mesh);
+    voxelize_options.rotation = skeleton.body.axes;
+    voxelize_options.whole_mesh = true;
+    if (stop.stop_requested()) return cancelled("voxelize");
     Result<voxel::VoxelSolid> solid = voxel::voxelize(mesh, voxelize_options);
     if (!solid) return solid.error();
     skeleton.solid = *std::move(solid);
+    voxel::warn_of_pieces_apart(skeleton.body, skeleton.solid.warnings);
     finished("voxelize");
 
     if (stop.stop_requested()) return cancelled("distance_transform");
@@ -46,7 +59,10 @@ Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOp
 
     if (stop.stop_requested()) return cancelled("refine");
     skeleton.thinned = extract_graph(skeleton.thinned_volume, skeleton.distance);
-    const std::vector<Vec3> surface = surface_points(mesh, skeleton.solid.world_from_grid);
+    std::vector<Vec3> surface;
+    if (needs_surface(options.refine)) {
+        surface = surface_points(mesh, skeleton.solid.world_from_grid);
+    }
     RefinedSkeleton refined = refine(skeleton.thinned, surface, options.refine);
     skeleton.pruned = std::move(refined.pruned);
     skeleton.refined = std::move(refined.refined);

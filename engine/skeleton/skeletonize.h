@@ -4,6 +4,7 @@
 
 #include "engine/core/result.h"
 #include "engine/core/stopwatch.h"
+#include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/refine.h"
 #include "engine/skeleton/skeleton_graph.h"
@@ -23,6 +24,7 @@ struct SkeletonizeOptions {
 
 /// A model's skeleton at each stage of its making; graphs are in voxel units of `solid`'s grid.
 struct Skeleton {
+    mesh::Body body;  ///< what of the mesh it is the skeleton of
     voxel::VoxelSolid solid;
     voxel::DistanceField distance;
     voxel::BitVolume thinned_volume;
@@ -33,8 +35,8 @@ struct Skeleton {
 };
 
 /// mesh → voxels → distance transform → thinning → graph → refinement (thesis sec. 3.2). The
-/// surface of eq. 3.3 is the mesh's vertices, as in the thesis: a coarse mesh gives nodes large
-/// distances and so large significances.
+/// surface of eq. 3.3 is the mesh's vertices, as in the thesis (surface_points.h): a coarse mesh
+/// gives nodes large distances and so large significances.
 /// Errors: those of voxelize, and cancelled when `stop` is requested between stages.
 Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options = {},
                              std::stop_token stop = {});

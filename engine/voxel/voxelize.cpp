@@ -1,5 +1,6 @@
 #include "engine/voxel/voxelize.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -137,12 +138,32 @@ void tidy(const GridMesh& mesh, const SurfaceParts& parts, const VoxelizeOptions
 
 }  // namespace
 
+mesh::BodyOptions body_options(const VoxelizeOptions& options, const std::optional<Mat3>& axes) {
+    mesh::BodyOptions body;
+    body.axes = axes;
+    body.min_extent = options.min_component_extent;
+    // What bridges might join on the coarsest grid in use counts as near.
+    const double bridge = (options.bridge_gap + 2.0) / options.resolution;
+    body.reach = std::clamp(bridge, body.reach, 0.25);
+    return body;
+}
+
+void warn_of_pieces_apart(const mesh::Body& body, std::vector<mesh::MeshWarning>& warnings) {
+    if (body.pieces_apart == 0) return;
+    warnings.push_back({"dropped_components", body.pieces_apart,
+                        std::to_string(body.pieces_apart) +
+                            " small pieces that lie apart left out, of " +
+                            std::to_string(body.triangles_apart) + " triangles"});
+}
+
 Result<VoxelSolid> voxelize(const mesh::TriangleMesh& mesh, const VoxelizeOptions& options) {
     if (options.bridge_gap < 0 || options.bridge_gap > 4) {
         return {ErrorCode::kInvalidArgument,
                 "bridge_gap: found " + std::to_string(options.bridge_gap) + ", expected 0 to 4"};
     }
-    auto grid = lay_into_grid(mesh, options);
+    mesh::Body body;
+    if (!options.whole_mesh) body = mesh::find_body(mesh, body_options(options, options.rotation));
+    auto grid = lay_into_grid(body.of(mesh), options);
     if (!grid) return grid.error();
     const SurfaceParts parts = find_parts(*grid);
 
@@ -152,6 +173,7 @@ Result<VoxelSolid> voxelize(const mesh::TriangleMesh& mesh, const VoxelizeOption
     fill(*grid, parts, options.keep_thin_parts, solid);
 
     tidy(*grid, parts, options, solid);
+    warn_of_pieces_apart(body, solid.warnings);
     if (solid.volume.empty()) {
         return {ErrorCode::kSolidEmpty, "no voxel is inside or on the surface"};
     }

@@ -1,16 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/voxel/bit_volume.h"
 
 namespace ossuary::voxel {
 
 struct VoxelizeOptions {
-    int resolution = 96;  ///< voxels along the longest side of the bounding box, in [8, 1024]
+    /// Voxels along the longest side of the bounding box of what counts, in [8, 1024].
+    int resolution = 96;
     /// The grid's axes as columns, in model coordinates, orthonormal: voxelizes the model as seen
     /// in this pose, which is a mirrored one where the determinant is -1. The bounding box is that
     /// of the pose.
@@ -26,7 +29,10 @@ struct VoxelizeOptions {
     int bridge_gap = 2;
     /// Components that could not be joined and whose longest side is below this share of the
     /// largest component's are dropped; 0 keeps all.
+    /// Such pieces of the mesh that lie apart do not set the grid's scale either (mesh/body.h).
     double min_component_extent = 0.1;
+    /// Lay the grid over all of the mesh; for those that have left out what does not count.
+    bool whole_mesh = false;
 };
 
 /// A model as a solid.
@@ -42,7 +48,15 @@ struct VoxelSolid {
     std::string method;
 };
 
-/// Turns any mesh into a solid volume.
+/// What of the mesh counts, as voxelize takes it. @param axes  null for the canonical pose
+[[nodiscard]] mesh::BodyOptions body_options(const VoxelizeOptions& options,
+                                             const std::optional<Mat3>& axes);
+
+/// Adds to the warnings that pieces were left out before the grid was laid: dropped_components.
+void warn_of_pieces_apart(const mesh::Body& body, std::vector<mesh::MeshWarning>& warnings);
+
+/// Turns any mesh into a solid volume. Faces without area and small pieces that lie apart take no
+/// part (mesh/body.h).
 ///
 /// Closed parts (by shared edges) are exact: a voxel is set when its centre has a winding number
 /// other than 0 with respect to some part, so overlapping and nested parts unite, whichever way

@@ -50,6 +50,23 @@ TEST(Measure, IgnoresVerticesThatNoTriangleUses) {
     EXPECT_EQ(mesh::measure(mesh).bounds.max(), Vec3(1, 1, 1));
 }
 
+TEST(Measure, IgnoresFacesWithoutAreaWhereOthersHaveSome) {
+    mesh::TriangleMesh mesh = cube_mesh();
+    const mesh::MeshMeasures cube = mesh::measure(mesh);
+    mesh.vertices.emplace_back(100, 100, 100);
+    mesh.vertices.emplace_back(50, 50, 50);
+    mesh.triangles.push_back({8, 8, 8});
+    mesh.triangles.push_back({0, 8, 8});
+    mesh.triangles.push_back({0, 9, 8});
+    const mesh::MeshMeasures measures = mesh::measure(mesh);
+    EXPECT_EQ(measures.bounds.max(), cube.bounds.max());
+    EXPECT_EQ(measures.area_centroid, cube.area_centroid);
+    EXPECT_EQ(measures.surface_area, cube.surface_area);
+    EXPECT_EQ(measures.diagonal, cube.diagonal);
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 12);
+    EXPECT_EQ(mesh::measure(mesh).bounds.max(), Vec3(100, 100, 100));
+}
+
 TEST(Measure, TakesMeshesWithoutTrianglesOrArea) {
     EXPECT_TRUE(mesh::measure(mesh::TriangleMesh{}).bounds.isEmpty());
     EXPECT_EQ(mesh::measure(mesh::TriangleMesh{}).diagonal, 0.0);

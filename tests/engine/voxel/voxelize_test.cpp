@@ -422,6 +422,66 @@ TEST(Voxelize, BridgesSmallGapsAndDropsSpecks) {
     EXPECT_EQ(warned(solid, "several_components"), 2u);
 }
 
+/// The mesh with faces that have no area and a speck, all far away.
+mesh::TriangleMesh with_far_faces(mesh::TriangleMesh mesh, const Vec3& place) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const std::uint32_t used = mesh.triangles[0][0];
+    mesh.vertices.push_back(place);
+    mesh.vertices.push_back((place + mesh.vertices[used]) / 2);
+    mesh.vertices.push_back(2 * place);  // unused
+    for (const mesh::TriangleMesh::Triangle& triangle :
+         {mesh::TriangleMesh::Triangle{first, first, first},
+          {used, first, first},
+          {used, first, first + 1}}) {
+        mesh.triangles.push_back(triangle);
+        mesh.face_of_triangle.push_back(mesh.face_count++);
+    }
+    return test::merged(mesh, test::icosphere_mesh(1.5 * place, 1e-3, 1));
+}
+
+TEST(Voxelize, DoesNotChangeWithWhatLiesApart) {
+    for (const MeshShape& shape : test::mesh_shapes()) {
+        if (shape.mesh.triangles.size() < 100) continue;
+        const mesh::TriangleMesh pose = test::transformed(shape.mesh, test::random_rotation(5));
+        for (const mesh::TriangleMesh& mesh : {pose, test::without_some_triangles(pose, 0.1, 3)}) {
+            const VoxelSolid solid = solid_of(mesh, {.resolution = 64});
+            for (const double distance : {2.0, 20.0, 2000.0, 1e6}) {
+                const VoxelSolid far =
+                    solid_of(with_far_faces(mesh, 100 * distance * Vec3(0.6, -0.48, 0.64)),
+                             {.resolution = 64});
+                EXPECT_EQ(far.volume, solid.volume) << shape.name << " " << distance;
+                EXPECT_EQ(far.world_from_grid.voxel_size, solid.world_from_grid.voxel_size);
+                EXPECT_EQ(far.world_from_grid.origin, solid.world_from_grid.origin);
+                EXPECT_EQ(far.method, solid.method);
+                EXPECT_EQ(warned(far, "dropped_components"), 1u);
+            }
+        }
+    }
+}
+
+TEST(Voxelize, LaysTheGridOverPiecesOfLikeSize) {
+    const mesh::TriangleMesh ball = test::icosphere_mesh({0, 0, 0}, 1);
+    const mesh::TriangleMesh two = test::merged(ball, test::icosphere_mesh({30, 0, 0}, 0.5));
+    const VoxelSolid solid = solid_of(two);
+    EXPECT_NEAR(solid.world_from_grid.voxel_size, 31.5 / 96, 1e-9);
+    EXPECT_EQ(betti_numbers(solid.volume).components, 2);
+    // A piece below a tenth of the larger one, unless all are asked for.
+    const mesh::TriangleMesh small = test::merged(ball, test::icosphere_mesh({30, 0, 0}, 0.05));
+    EXPECT_NEAR(solid_of(small).world_from_grid.voxel_size, 2.0 / 96, 1e-9);
+    EXPECT_NEAR(solid_of(small, {.min_component_extent = 0}).world_from_grid.voxel_size, 31.05 / 96,
+                1e-9);
+    EXPECT_NEAR(solid_of(small, {.whole_mesh = true}).world_from_grid.voxel_size, 31.05 / 96, 1e-9);
+}
+
+TEST(Voxelize, DrawsNoLineOfFacesWithoutArea) {
+    const mesh::TriangleMesh ball = test::icosphere_mesh({0, 0, 0}, 1);
+    const mesh::TriangleMesh two = test::merged(ball, test::icosphere_mesh({4, 0, 0}, 1));
+    mesh::TriangleMesh tied = two;
+    tied.triangles.push_back({0, static_cast<std::uint32_t>(ball.vertices.size()), 0});
+    tied.face_of_triangle.push_back(tied.face_count++);
+    EXPECT_EQ(solid_of(tied).volume, solid_of(two).volume);
+}
+
 TEST(Voxelize, ClosesTheTunnelOfNearlyTouchingArms) {
     // A ring with a slit of half a voxel, crossed by a thin tie: two narrow tunnels of the grid.
     const mesh::TriangleMesh left = test::box_mesh({0, 0, 0}, {40, 10, 10});
