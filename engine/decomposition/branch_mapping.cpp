@@ -90,4 +90,11 @@ std::uint32_t BranchMapping::branch_of(const Vec3& point, const Vec3& normal) co
     return branches_[none ? nearest[0] : best.vertex];
 }
 
+const Vec3& BranchMapping::nearest(const Vec3& point) const {
+    std::size_t found = 0;
+    double squared = 0.0;
+    tree_->index.knnSearch(point.data(), 1, &found, &squared);
+    return vertices_[found];
+}
+
 }  // namespace ossuary::decomposition

@@ -28,6 +28,10 @@ public:
     /// @pre the skeleton has a branch
     [[nodiscard]] std::uint32_t branch_of(const Vec3& point, const Vec3& normal) const;
 
+    /// The vertex of the skeleton that is nearest to the point.
+    /// @pre the skeleton has a branch
+    [[nodiscard]] const Vec3& nearest(const Vec3& point) const;
+
 private:
     struct Tree;
     std::vector<Vec3> vertices_;

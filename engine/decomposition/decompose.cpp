@@ -6,13 +6,14 @@
 #include <utility>
 
 #include "engine/decomposition/affinity.h"
+#include "engine/decomposition/face_outwards.h"
 #include "engine/decomposition/map_surface.h"
 #include "engine/decomposition/merge_patches.h"
 #include "engine/decomposition/prevailing_labels.h"
 #include "engine/decomposition/refine_borders.h"
+#include "engine/decomposition/whole_faces.h"
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/measures.h"
-#include "engine/mesh/weld.h"
 
 namespace ossuary::decomposition {
 namespace {
@@ -41,7 +42,6 @@ std::vector<Decomposition::Part> describe_parts(
     for (std::size_t t = 0; t < surface.size(); ++t) {
         const std::uint32_t label = segmentation.labels[t];
         Decomposition::Part& part = parts[label];
-        ++part.triangles;
         part.area += surface.areas[t];
         for (const std::uint32_t other : surface.across[t]) {
             if (other == mesh::kNoTriangle || segmentation.labels[other] == label) continue;
@@ -76,7 +76,7 @@ Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& 
     Stopwatch watch;
     Labels labels;
     labels.part_of_triangle =
-        map_surface(model.mesh, result.skeleton, {.seed = options.seed}, stop);
+        map_surface(model.mended.mesh, result.skeleton, {.seed = options.seed}, stop);
     labels.branch_of_triangle.assign(labels.part_of_triangle.size(), -1);
     if (!result.skeleton.branches.empty()) {
         std::copy(labels.part_of_triangle.begin(), labels.part_of_triangle.end(),
@@ -106,16 +106,26 @@ Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, Stag
 Decomposition begin_decomposition(const SurfaceAndSkeleton& model) {
     Decomposition result;
     result.stage_times = model.stage_times;
-    result.warnings = model.skeleton.solid.warnings;
-    result.skeleton =
-        skeleton::to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
+    result.warnings = mesh::mending_warnings(model.mended);
+    const auto& of_solid = model.skeleton.solid.warnings;
+    result.warnings.insert(result.warnings.end(), of_solid.begin(), of_solid.end());
+    result.skeleton = model.refined;
     return result;
 }
 
-void finish_decomposition(const SurfaceGraph& surface, const Labels& labels,
-                          Decomposition& result) {
-    result.segmentation = by_area(surface, labels.part_of_triangle);
-    result.parts = describe_parts(surface, result.segmentation, labels.branch_of_triangle);
+Decomposition finish_decomposition(SurfaceAndSkeleton model, Labels labels, Decomposition result) {
+    label_whole_faces(model.surface, labels.part_of_triangle);
+    result.on_surface = by_area(model.surface, labels.part_of_triangle);
+    result.parts = describe_parts(model.surface, result.on_surface, labels.branch_of_triangle);
+    result.segmentation.parts = result.on_surface.parts;
+    result.segmentation.labels.reserve(model.mended.triangle_of.size());
+    for (const std::uint32_t t : model.mended.triangle_of) {
+        const std::uint32_t part = result.on_surface.labels[t];
+        result.segmentation.labels.push_back(part);
+        ++result.parts[part].triangles;
+    }
+    result.surface = std::move(model.mended);
+    return result;
 }
 
 }  // namespace
@@ -138,35 +148,41 @@ skeleton::SkeletonizeOptions decomposition_skeleton_options() {
     return options;
 }
 
-Result<SurfaceAndSkeleton> surface_and_skeleton(const mesh::TriangleMesh& mesh,
+Result<SurfaceAndSkeleton> surface_and_skeleton(mesh::MendedSurface surface,
                                                 const skeleton::SkeletonizeOptions& options,
                                                 std::stop_token stop) {
-    Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(mesh, options, stop);
+    Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(surface.mesh, options, stop);
     if (!skeleton) return skeleton.error();
     SurfaceAndSkeleton model;
+    model.mended = std::move(surface);
     model.skeleton = *std::move(skeleton);
     model.stage_times = model.skeleton.stage_times;
     Stopwatch watch;
-    model.mesh = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
-    model.surface = surface_graph(model.mesh);
+    model.refined =
+        skeleton::to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
+    face_outwards(model.mended, model.refined);
+    model.surface = surface_graph(model.mended.mesh);
     model.stage_times.push_back({"surface", watch.lap_ms()});
     return model;
 }
 
-Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
+Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
                                         const DecomposeOptions& options, std::stop_token stop) {
-    Result<SurfaceAndSkeleton> model = surface_and_skeleton(mesh, options.skeletonize, stop);
+    auto model = surface_and_skeleton(std::move(surface), options.skeletonize, stop);
     if (!model) return model.error();
+    const std::size_t faces = count_faces(model->surface);
+    if (options.parts > faces) return too_many_parts(options.parts, faces);
     MeasuredPatches patches{*std::move(model), {}, {}};
     Stopwatch watch;
     if (patches.surface.total_area <= 0.0) {
-        patches.graph.of_triangle.assign(mesh.triangles.size(), 0);
+        patches.graph.of_triangle.assign(patches.surface.size(), 0);
         patches.graph.patches.resize(1);
         patches.graph.links.resize(1);
-        patches.graph.patches[0].triangles = static_cast<std::uint32_t>(mesh.triangles.size());
+        patches.graph.patches[0].triangles = static_cast<std::uint32_t>(patches.surface.size());
     } else {
-        const std::size_t count = std::max(options.patches, 4 * options.parts);
-        patches.graph = patch_graph(patches.mesh, patches.surface, count);
+        patches.graph = patch_graph(
+            patches.mended.mesh, patches.surface,
+            {.count = std::max(options.patches, 4 * options.parts), .at_least = options.parts});
     }
     patches.stage_times.push_back({"patches", watch.lap_ms()});
     if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
@@ -177,29 +193,33 @@ Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
 
 Result<Decomposition> decompose(const mesh::TriangleMesh& mesh, const DecomposeOptions& options,
                                 std::stop_token stop) {
+    if (mesh.empty()) return Error{ErrorCode::kMeshEmpty, "the mesh has no triangle"};
+    return decompose(mesh::mend_surface(mesh), options, std::move(stop));
+}
+
+Result<Decomposition> decompose(mesh::MendedSurface surface, const DecomposeOptions& options,
+                                std::stop_token stop) {
     if (options.parts > kMaxParts) return too_many_parts(options.parts, kMaxParts);
     if (options.method == DecompositionMethod::kThesis) {
         if (options.parts > 0) {
             return Error{ErrorCode::kInvalidArgument,
                          "parts: the thesis' method makes one of each branch of the skeleton"};
         }
-        const auto model = surface_and_skeleton(mesh, options.skeletonize, stop);
+        auto model = surface_and_skeleton(std::move(surface), options.skeletonize, stop);
         if (!model) return model.error();
         Decomposition result = begin_decomposition(*model);
-        const Labels labels = label_by_branch(*model, options, stop, result);
+        Labels labels = label_by_branch(*model, options, stop, result);
         if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
-        finish_decomposition(model->surface, labels, result);
-        return result;
+        return finish_decomposition(*std::move(model), std::move(labels), std::move(result));
     }
-    const Result<MeasuredPatches> patches = measure_patches(mesh, options, stop);
+    auto patches = measure_patches(std::move(surface), options, stop);
     if (!patches) return patches.error();
     if (options.parts > patches->graph.size()) {
         return too_many_parts(options.parts, patches->graph.size());
     }
     Decomposition result = begin_decomposition(*patches);
-    finish_decomposition(patches->surface,
-                         label_by_evidence(*patches, options.parts, result.stage_times), result);
-    return result;
+    Labels labels = label_by_evidence(*patches, options.parts, result.stage_times);
+    return finish_decomposition(*std::move(patches), std::move(labels), std::move(result));
 }
 
 Segmentation face_segmentation(const mesh::TriangleMesh& mesh, const Segmentation& triangles) {

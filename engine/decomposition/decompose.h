@@ -12,6 +12,7 @@
 #include "engine/decomposition/patches.h"
 #include "engine/decomposition/segmentation.h"
 #include "engine/decomposition/surface_graph.h"
+#include "engine/mesh/mend_surface.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/skeleton/skeletonize.h"
 
@@ -42,11 +43,14 @@ inline constexpr std::size_t kMaxParts = 100;
 struct Decomposition {
     struct Part {
         std::size_t triangles = 0;
-        double area = 0.0;         ///< model units squared
+        double area = 0.0;         ///< model units squared; of faces that come twice, once
         std::int32_t branch = -1;  ///< of `skeleton` that most of it belongs to; -1 without one
         std::vector<std::uint32_t> neighbors;  ///< parts that share a border with it, ascending
     };
     Segmentation segmentation;  ///< the part of each triangle of the mesh
+    /// What was cut: the mesh with its seams joined, each face once, facing outwards.
+    mesh::MendedSurface surface;
+    Segmentation on_surface;  ///< the part of each triangle of `surface.mesh`
     std::vector<Part> parts;
     skeleton::SkeletonGraph skeleton;  ///< refined, in model units
     std::vector<mesh::MeshWarning> warnings;
@@ -55,13 +59,15 @@ struct Decomposition {
 
 /// A model's surface and what is inside it.
 struct SurfaceAndSkeleton {
-    mesh::TriangleMesh mesh;  ///< welded; the triangles of the input in their order
+    mesh::MendedSurface mended;
     skeleton::Skeleton skeleton;
-    SurfaceGraph surface;  ///< of `mesh`
+    skeleton::SkeletonGraph refined;  ///< that of `skeleton` in model units
+    SurfaceGraph surface;             ///< of `mended.mesh`
     StageTimes stage_times;
 };
+/// Open patches of the surface are turned to face away from the skeleton (face_outwards.h).
 /// Errors: those of skeletonize.
-Result<SurfaceAndSkeleton> surface_and_skeleton(const mesh::TriangleMesh& mesh,
+Result<SurfaceAndSkeleton> surface_and_skeleton(mesh::MendedSurface surface,
                                                 const skeleton::SkeletonizeOptions& options,
                                                 std::stop_token stop = {});
 
@@ -70,22 +76,29 @@ struct MeasuredPatches : SurfaceAndSkeleton {
     PatchGraph graph;
     PatchPairs pairs;
 };
-/// Errors: those of skeletonize.
-Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
+/// Errors: those of skeletonize; invalid_argument (more parts wanted than there are faces).
+Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
                                         const DecomposeOptions& options = {},
                                         std::stop_token stop = {});
 
 /// Cuts a surface into the parts that people would see: small patches are told apart or put
 /// together by thickness, concave creases, ways along the surface, through the solid and along the
 /// skeleton (affinity.h), merged where that makes the expected Rand index largest
-/// (merge_patches.h), and the borders laid into the creases (refine_borders.h). Every triangle gets
-/// a part; parts are connected, but for small pieces of a soup. Parts are numbered by descending
-/// area. Deterministic. `method` may ask for the thesis' algorithm instead, whose parts need not be
+/// (merge_patches.h), and the borders laid into the creases (refine_borders.h). All this looks at
+/// the mended surface (mend_surface.h), so that it makes no difference how the faces lie; every
+/// triangle of the mesh gets the part of the one that stands for it there. No part runs through a
+/// face. Parts are connected, but for small pieces of a soup, and numbered by descending area.
+/// Deterministic. `method` may ask for the thesis' algorithm instead, whose parts need not be
 /// connected.
+/// Warnings: those of voxelize and of mending.
 /// Errors: those of skeletonize; invalid_argument (more than kMaxParts parts wanted, more than the
-/// surface has patches, or a number of parts wanted of the thesis' algorithm).
+/// surface has faces, or a number of parts wanted of the thesis' algorithm).
 Result<Decomposition> decompose(const mesh::TriangleMesh& mesh,
                                 const DecomposeOptions& options = {}, std::stop_token stop = {});
+
+/// The same of a mesh that has been mended.
+Result<Decomposition> decompose(mesh::MendedSurface surface, const DecomposeOptions& options = {},
+                                std::stop_token stop = {});
 
 /// The part of each face of the file that the mesh was read from: that of most of the face's area;
 /// part 0 for faces that gave no triangle.

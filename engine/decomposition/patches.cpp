@@ -19,17 +19,21 @@ constexpr double kConvexCost = 0.09;
 constexpr double kSmallPiece = 1e-3;  // of the area
 constexpr std::size_t kMaxSeededPieces = 100;
 constexpr int kRounds = 3;
+/// What one way must be shorter than another, and one middle better, in patch diameters.
+constexpr float kClearly = 1e-4F;
 
 class PatchGrowth {
 public:
     PatchGrowth(const SurfaceGraph& surface, std::size_t count)
         : surface_(surface),
           diameter_(std::sqrt(surface.total_area / static_cast<double>(count))),
-          costs_(surface.size()) {
+          costs_(surface.size(), {0.0F, 0.0F, 0.0F}) {
         for (std::size_t t = 0; t < surface.size(); ++t) {
             for (std::size_t side = 0; side < 3; ++side) {
                 const std::uint32_t other = surface.across[t][side];
                 if (other == mesh::kNoTriangle) continue;
+                // A face belongs to one patch.
+                if (surface.first_of_face[other] == surface.first_of_face[t]) continue;
                 const double length = (surface.centers[other] - surface.centers[t]).norm();
                 const double turn = static_cast<double>(surface.turns[t][side]);
                 const double bend = turn > 0.0 ? kConcaveCost * turn : -kConvexCost * turn;
@@ -62,7 +66,7 @@ public:
                     const std::uint32_t other = surface_.across[t][side];
                     if (other == mesh::kNoTriangle) continue;
                     const float distance = distances_[t] + costs_[t][side];
-                    if (distance >= distances_[other]) continue;
+                    if (distance >= distances_[other] - kClearly) continue;
                     distances_[other] = distance;
                     owner[other] = owner[t];
                     const std::size_t to = level_of(distance);
@@ -91,7 +95,7 @@ public:
             if (p == kNoPatch || area[p] <= 0.0) continue;
             const double away = (surface_.centers[t] - center[p] / area[p]).norm() / diameter_;
             const double turned = 1.0 - surface_.normals[t].dot(normal[p].normalized());
-            if (away + 0.5 * turned < best[p]) {
+            if (away + 0.5 * turned < best[p] - static_cast<double>(kClearly)) {
                 best[p] = away + 0.5 * turned;
                 seeds[p] = t;
             }
@@ -111,7 +115,8 @@ std::vector<std::uint32_t> first_seeds(const mesh::TriangleMesh& mesh, const Sur
                                        std::size_t count) {
     std::vector<std::uint32_t> seeds;
     for (const mesh::SurfaceSample& sample : mesh::sample_surface(mesh, {.count = count})) {
-        if (seeds.empty() || seeds.back() != sample.triangle) seeds.push_back(sample.triangle);
+        const std::uint32_t triangle = surface.first_of_face[sample.triangle];
+        if (seeds.empty() || seeds.back() != triangle) seeds.push_back(triangle);
     }
     const SurfacePieces pieces = surface_pieces(surface);
     std::vector<bool> seeded(pieces.areas.size(), false);
@@ -126,6 +131,46 @@ std::vector<std::uint32_t> first_seeds(const mesh::TriangleMesh& mesh, const Sur
     }
     if (seeds.empty()) seeds.push_back(0);
     return seeds;
+}
+
+/// Ways of equal length, or triangles that do not touch, may have parted the triangles of a face.
+void keep_faces_whole(const SurfaceGraph& surface, std::vector<std::uint32_t>& of_triangle) {
+    for (std::uint32_t t = 0; t < surface.size(); ++t) {
+        std::uint32_t& of_face = of_triangle[surface.first_of_face[t]];
+        if (of_face == kNoPatch) of_face = of_triangle[t];
+    }
+    for (std::uint32_t t = 0; t < surface.size(); ++t) {
+        of_triangle[t] = of_triangle[surface.first_of_face[t]];
+    }
+}
+
+/// Makes faces patches of their own, the largest first, until there are `wanted`.
+void part_until(std::size_t wanted, const SurfaceGraph& surface,
+                std::vector<std::uint32_t>& of_triangle) {
+    std::map<std::uint32_t, double> area_of_face;
+    std::map<std::uint32_t, std::size_t> faces_of_patch;
+    for (std::uint32_t t = 0; t < surface.size(); ++t) {
+        area_of_face[surface.first_of_face[t]] += surface.areas[t];
+        if (surface.first_of_face[t] == t) ++faces_of_patch[of_triangle[t]];
+    }
+    std::size_t patches = faces_of_patch.size() - faces_of_patch.count(kNoPatch);
+    std::vector<std::pair<double, std::uint32_t>> faces;
+    for (const auto& [face, area] : area_of_face) faces.emplace_back(-area, face);
+    std::sort(faces.begin(), faces.end());
+    auto next = static_cast<std::uint32_t>(surface.size());  // above all numbers in use
+    std::map<std::uint32_t, std::uint32_t> parted;
+    for (const auto& [negative_area, face] : faces) {
+        if (patches >= wanted) break;
+        std::size_t& left = faces_of_patch[of_triangle[face]];
+        if (left < 2 && of_triangle[face] != kNoPatch) continue;
+        --left;
+        parted[face] = next++;
+        ++patches;
+    }
+    for (std::uint32_t t = 0; t < surface.size(); ++t) {
+        const auto found = parted.find(surface.first_of_face[t]);
+        if (found != parted.end()) of_triangle[t] = found->second;
+    }
 }
 
 /// Numbers the patches that have triangles and sums up what is in them.
@@ -162,6 +207,11 @@ void add_patches(const SurfaceGraph& surface, PatchGraph& graph) {
 void join_small_pieces(const SurfaceGraph& surface, PatchGraph& graph) {
     for (std::size_t t = 0; t < surface.size(); ++t) {
         if (graph.of_triangle[t] != kNoPatch) continue;
+        if (surface.first_of_face[t] != t) {
+            graph.of_triangle[t] = graph.of_triangle[surface.first_of_face[t]];
+            ++graph.patches[graph.of_triangle[t]].triangles;
+            continue;
+        }
         double nearest = std::numeric_limits<double>::infinity();
         for (std::uint32_t p = 0; p < graph.size(); ++p) {
             const double distance = (graph.patches[p].center - surface.centers[t]).squaredNorm();
@@ -242,15 +292,17 @@ void link_pieces(PatchGraph& graph) {
 }  // namespace
 
 PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
-                       std::size_t count) {
+                       const PatchGraphOptions& options) {
     PatchGraph graph;
     if (surface.size() == 0) return graph;
-    PatchGrowth growth(surface, count);
-    std::vector<std::uint32_t> seeds = first_seeds(mesh, surface, count);
+    PatchGrowth growth(surface, options.count);
+    std::vector<std::uint32_t> seeds = first_seeds(mesh, surface, options.count);
     for (int round = 0; round < kRounds; ++round) {
         if (round > 0) seeds = growth.middles(graph.of_triangle, std::move(seeds));
         graph.of_triangle = growth.nearest(seeds);
     }
+    keep_faces_whole(surface, graph.of_triangle);
+    if (options.at_least > 0) part_until(options.at_least, surface, graph.of_triangle);
     graph.total_area = surface.total_area;
     add_patches(surface, graph);
     join_small_pieces(surface, graph);

@@ -33,14 +33,20 @@ struct PatchGraph {
     [[nodiscard]] std::size_t size() const { return patches.size(); }
 };
 
+struct PatchGraphOptions {
+    std::size_t count = 160;
+    std::size_t at_least = 0;  ///< patches even of a coarse mesh; not more than it has faces
+};
+
 /// Grows `count` patches (fewer on coarse meshes, more where the surface has many pieces) from
 /// seeds spread evenly over the area and moved twice to the patches' middles; a step costs its
 /// length, and more where the surface bends, most in concave creases (compare the superfacets of
 /// Simari, Picciau and De Floriani, "Fast and scalable mesh superfacets", 2014). Pieces below a
 /// thousandth of the area join the patch nearest to them, and the nearest patches of larger pieces
-/// are linked, so that the graph is connected.
+/// are linked, so that the graph is connected. A patch holds whole faces. Where there are too few,
+/// the largest faces that are not alone become patches of their own.
 /// @param mesh  the mesh of `surface`
 PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
-                       std::size_t count);
+                       const PatchGraphOptions& options = {});
 
 }  // namespace ossuary::decomposition

@@ -104,6 +104,8 @@ private:
     }
 
     [[nodiscard]] std::int64_t capacity(std::uint32_t t, std::size_t side) const {
+        const std::uint32_t other = surface_.across[t][side];
+        if (surface_.first_of_face[t] == surface_.first_of_face[other]) return kUncuttable;
         const double length = static_cast<double>(surface_.side_lengths[t][side]) / scale_;
         const double turn = std::max(0.0, static_cast<double>(surface_.turns[t][side]));
         const double cost = length * std::exp(-options_.crease_weight * turn);

@@ -21,12 +21,15 @@ struct SurfaceGraph {
     /// negative where it is convex, in [-2, 2].
     std::vector<std::array<float, 3>> turns;
     std::vector<std::array<float, 3>> side_lengths;  ///< model units
+    /// Of each triangle the first one that was cut from the same face of the file.
+    std::vector<std::uint32_t> first_of_face;
     double total_area = 0.0;
 
     [[nodiscard]] std::size_t size() const { return centers.size(); }
 };
 
-/// @param mesh  vertices told apart by index: weld a soup first
+/// @param mesh  vertices told apart by index, and facing outwards: mend it first (mend_surface.h);
+///     without `face_of_triangle` each triangle is a face
 SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh);
 
 /// The pieces of the graph, numbered by their first triangle.

@@ -55,7 +55,8 @@ std::optional<Example> example_of(const fs::path& models, const fs::path& truth_
     const auto truths =
         ossuary::decomposition::read_segmentations(truth_folder, id, read->mesh.triangles.size());
     if (!truths.ok() || truths->empty()) return std::nullopt;
-    const auto patches = ossuary::decomposition::measure_patches(read->mesh);
+    const auto patches =
+        ossuary::decomposition::measure_patches(ossuary::mesh::mend_surface(read->mesh));
     if (!patches.ok()) return std::nullopt;
     Example example;
     example.pairs = patches->pairs;
