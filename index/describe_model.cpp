@@ -17,11 +17,16 @@ namespace {
 
 constexpr std::size_t kPreviewTriangles = 2000;
 
+Error describing_cancelled(std::string_view name) {
+    return {ErrorCode::kCancelled, std::string(name) + ": describing it was cancelled"};
+}
+
 Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
                                   const IndexParameters& parameters, std::stop_token stop) {
     auto read = mesh::read_mesh(bytes, name);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
+    if (stop.stop_requested()) return describing_cancelled(name);
     auto description = descriptor::describe(mesh, describe_options(parameters), stop);
     if (!description) return description.error();
 
@@ -39,12 +44,14 @@ Result<NewModel> describe_checked(std::string_view bytes, std::string_view name,
     model.skeleton = std::move(description->skeleton);
     const mesh::TriangleMesh coarse = mesh::decimate(mesh, {.max_triangles = kPreviewTriangles});
     model.preview = make_preview(coarse);
+    if (stop.stop_requested()) return describing_cancelled(name);
     auto thumbnail = render_thumbnail(mesh);
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);
     } else {
         model.summary.warnings.push_back({"thumbnail_missing", 1, thumbnail.error().message});
     }
+    if (stop.stop_requested()) return describing_cancelled(name);
     add_segments(model, mesh, coarse, std::move(stop));
     return model;
 }

@@ -65,6 +65,8 @@ struct Labels {
     std::vector<std::int32_t> branch_of_triangle;
 };
 
+Error decomposing_cancelled() { return {ErrorCode::kCancelled, "decomposing was cancelled"}; }
+
 Error too_many_parts(std::size_t wanted, std::size_t possible) {
     return {ErrorCode::kInvalidArgument, "parts: expected at most " + std::to_string(possible) +
                                              ", found " + std::to_string(wanted)};
@@ -72,10 +74,11 @@ Error too_many_parts(std::size_t wanted, std::size_t possible) {
 
 /// The thesis' parts are the branches themselves.
 Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& options,
-                       Decomposition& result) {
+                       const std::stop_token& stop, Decomposition& result) {
     Stopwatch watch;
     Labels labels;
-    labels.part_of_triangle = map_surface(model.mesh, result.skeleton, {.seed = options.seed});
+    labels.part_of_triangle =
+        map_surface(model.mesh, result.skeleton, {.seed = options.seed}, stop);
     labels.branch_of_triangle.assign(labels.part_of_triangle.size(), -1);
     if (!result.skeleton.branches.empty()) {
         std::copy(labels.part_of_triangle.begin(), labels.part_of_triangle.end(),
@@ -85,7 +88,8 @@ Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& 
     return labels;
 }
 
-Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, StageTimes& times) {
+Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts,
+                         const std::stop_token& stop, StageTimes& times) {
     Stopwatch watch;
     const std::vector<float> together = probability_together(patches.pairs);
     const std::vector<std::uint32_t> part_of_patch =
@@ -96,7 +100,7 @@ Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, Stag
         labels.branch_of_triangle.push_back(patches.pairs.branch_of_patch[patch]);
     }
     times.push_back({"merge", watch.lap_ms()});
-    refine_borders(patches.surface, labels.part_of_triangle);
+    refine_borders(patches.surface, labels.part_of_triangle, {}, stop);
     times.push_back({"borders", watch.lap_ms()});
     return labels;
 }
@@ -165,11 +169,12 @@ Result<MeasuredPatches> measure_patches(const mesh::TriangleMesh& mesh,
         patches.graph.patches[0].triangles = static_cast<std::uint32_t>(mesh.triangles.size());
     } else {
         const std::size_t count = std::max(options.patches, 4 * options.parts);
-        patches.graph = patch_graph(patches.mesh, patches.surface, count);
+        patches.graph = patch_graph(patches.mesh, patches.surface, count, stop);
     }
     patches.stage_times.push_back({"patches", watch.lap_ms()});
-    if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
-    patches.pairs = pair_features(patches.surface, patches.graph, patches.skeleton);
+    if (stop.stop_requested()) return decomposing_cancelled();
+    patches.pairs = pair_features(patches.surface, patches.graph, patches.skeleton, stop);
+    if (stop.stop_requested()) return decomposing_cancelled();
     patches.stage_times.push_back({"pairs", watch.lap_ms()});
     return patches;
 }
@@ -185,7 +190,9 @@ Result<Decomposition> decompose(const mesh::TriangleMesh& mesh, const DecomposeO
         const auto model = surface_and_skeleton(mesh, options.skeletonize, stop);
         if (!model) return model.error();
         Decomposition result = begin_decomposition(*model);
-        finish_decomposition(model->surface, label_by_branch(*model, options, result), result);
+        finish_decomposition(model->surface, label_by_branch(*model, options, stop, result),
+                             result);
+        if (stop.stop_requested()) return decomposing_cancelled();
         return result;
     }
     const Result<MeasuredPatches> patches = measure_patches(mesh, options, stop);
@@ -195,7 +202,9 @@ Result<Decomposition> decompose(const mesh::TriangleMesh& mesh, const DecomposeO
     }
     Decomposition result = begin_decomposition(*patches);
     finish_decomposition(patches->surface,
-                         label_by_evidence(*patches, options.parts, result.stage_times), result);
+                         label_by_evidence(*patches, options.parts, stop, result.stage_times),
+                         result);
+    if (stop.stop_requested()) return decomposing_cancelled();
     return result;
 }
 

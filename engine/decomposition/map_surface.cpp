@@ -34,7 +34,8 @@ std::uint32_t label_of(const mesh::TriangleMesh::Triangle& triangle,
 
 std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
                                        const skeleton::SkeletonGraph& skeleton,
-                                       const MapSurfaceOptions& options) {
+                                       const MapSurfaceOptions& options,
+                                       const std::stop_token& stop) {
     if (skeleton.branches.empty()) return std::vector<std::uint32_t>(mesh.triangles.size(), 0);
     const VertexGraph surface = vertex_graph(mesh);
     const BranchMapping mapping(skeleton);
@@ -44,12 +45,13 @@ std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
     std::vector<std::uint32_t> labels(surface.size(), kUnlabeled);
     const std::vector<bool> sampled = choose_samples(surface.size(), options);
     for (std::uint32_t v = 0; v < surface.size(); ++v) {
-        if (sampled[v]) labels[v] = branch_of(v);
+        if (sampled[v]) labels[v] = stop.stop_requested() ? 0 : branch_of(v);
     }
     flood_labels(surface, labels);
     // Pieces of the surface without a sample are small: all of their vertices are mapped.
     for (std::uint32_t v = 0; v < surface.size(); ++v) {
-        if (labels[v] == kUnlabeled) labels[v] = branch_of(v);
+        if (labels[v] != kUnlabeled) continue;
+        labels[v] = stop.stop_requested() ? 0 : branch_of(v);
     }
     refine_by_curvature(surface, labels);
     std::vector<std::uint32_t> of_triangle;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/decomposition/segmentation.h"
@@ -24,6 +25,7 @@ struct MapSurfaceOptions {
 /// @returns the branch of each triangle
 std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
                                        const skeleton::SkeletonGraph& skeleton,
-                                       const MapSurfaceOptions& options = {});
+                                       const MapSurfaceOptions& options = {},
+                                       const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -41,6 +42,6 @@ struct PatchGraph {
 /// are linked, so that the graph is connected.
 /// @param mesh  the mesh of `surface`
 PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
-                       std::size_t count);
+                       std::size_t count, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition
