@@ -1,5 +1,6 @@
 #include "engine/voxel/voxelize.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -150,16 +151,17 @@ BettiNumbers shape_of(const BitVolume& volume, const VoxelizeOptions& options) {
     return {components, static_cast<int>(components - euler_characteristic(volume)), 0};
 }
 
-/// Closes gaps where the solid is too intricate; returns the shape that it then has.
-BettiNumbers simplify(const VoxelizeOptions& options, const std::stop_token& stop,
-                      VoxelSolid& solid) {
-    const BettiNumbers shape = shape_of(solid.volume, options);
-    const std::size_t most = options.max_intricacy;
-    if (most == 0 || intricacy(shape) <= most) return shape;
-    const int width = close_gaps(solid.volume, most, stop);
-    warn(solid, "closed_gaps", static_cast<std::size_t>(width),
-         " voxels: gaps up to this width were closed, the model is too intricate");
-    return betti_numbers(solid.volume);
+/// So many times max_intricacy are let through to bridging and to the closing of small tunnels,
+/// which leave few of them: trees of a thousand leaves come down to fifty components and tunnels.
+constexpr std::size_t kBeforeJoining = 10;
+
+/// Closes gaps where the solid is too intricate; `shape` follows. Returns up to which width.
+int simplify(std::size_t most, const std::stop_token& stop, BitVolume& volume,
+             BettiNumbers& shape) {
+    if (most == 0 || intricacy(shape) <= most) return 0;
+    const int width = close_gaps(volume, most, stop);
+    shape = betti_numbers(volume);
+    return width;
 }
 
 /// Removes what is an artefact of the grid or of a careless model.
@@ -167,7 +169,8 @@ void tidy(const GridMesh& mesh, const SurfaceParts& parts, const VoxelizeOptions
           const std::stop_token& stop, VoxelSolid& solid) {
     FilledCavities filled;
     if (options.fill_cavities) fill_all_cavities(solid, filled);
-    const BettiNumbers shape = simplify(options, stop, solid);
+    BettiNumbers shape = shape_of(solid.volume, options);
+    int width = simplify(kBeforeJoining * options.max_intricacy, stop, solid.volume, shape);
     // Cavities, where they stay, count like missing tunnels.
     std::int64_t handles = shape.tunnels - shape.cavities;
     JoinedComponents joined;
@@ -182,6 +185,14 @@ void tidy(const GridMesh& mesh, const SurfaceParts& parts, const VoxelizeOptions
         if (handles > known_handles(mesh, parts)) closed = close_small_tunnels(solid.volume, stop);
         if (closed > 0 && options.fill_cavities) fill_all_cavities(solid, filled);
     }
+    // None of the steps makes a solid more intricate.
+    if (options.max_intricacy > 0 && intricacy(shape) > options.max_intricacy) {
+        shape = betti_numbers(solid.volume);
+        width = std::max(width, simplify(options.max_intricacy, stop, solid.volume, shape));
+        joined.remaining = static_cast<std::size_t>(shape.components);
+    }
+    warn(solid, "closed_gaps", static_cast<std::size_t>(width),
+         " voxels: gaps up to this width were closed, the model is too intricate");
     warn(solid, "filled_cavities", filled.cavities,
          " cavities filled, of " + std::to_string(filled.voxels) + " voxels");
     warn(solid, "closed_tunnels", closed,
