@@ -18,11 +18,16 @@ namespace {
 
 constexpr std::size_t kPreviewTriangles = 2000;
 
+Error describing_cancelled(std::string_view name) {
+    return {ErrorCode::kCancelled, std::string(name) + ": describing it was cancelled"};
+}
+
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
                                   std::stop_token stop) {
     auto read = mesh::read_mesh(source.bytes, source.name);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
+    if (stop.stop_requested()) return describing_cancelled(source.name);
     auto description = descriptor::describe(mesh, describe_options(parameters), stop);
     if (!description) return description.error();
 
@@ -40,6 +45,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
     model.skeleton = std::move(description->skeleton);
     const mesh::TriangleMesh coarse = mesh::decimate(mesh, {.max_triangles = kPreviewTriangles});
     model.preview = make_preview(coarse);
+    if (stop.stop_requested()) return describing_cancelled(source.name);
     model.summary.orientation = {source.up ? *source.up : find_up(coarse), source.up.has_value()};
     auto thumbnail = render_thumbnail(mesh, thumbnail_options(model.summary.orientation.up));
     if (thumbnail) {
@@ -47,6 +53,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
     } else {
         model.summary.warnings.push_back({"thumbnail_missing", 1, thumbnail.error().message});
     }
+    if (stop.stop_requested()) return describing_cancelled(source.name);
     add_segments(model, mesh, coarse, std::move(stop));
     return model;
 }

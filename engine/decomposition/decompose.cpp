@@ -65,6 +65,8 @@ struct Labels {
     std::vector<std::int32_t> branch_of_triangle;
 };
 
+Error decomposing_cancelled() { return {ErrorCode::kCancelled, "decomposing was cancelled"}; }
+
 Error too_many_parts(std::size_t wanted, std::size_t possible) {
     return {ErrorCode::kInvalidArgument, "parts: expected at most " + std::to_string(possible) +
                                              ", found " + std::to_string(wanted)};
@@ -86,7 +88,8 @@ Labels label_by_branch(const SurfaceAndSkeleton& model, const DecomposeOptions& 
     return labels;
 }
 
-Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, StageTimes& times) {
+Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts,
+                         const std::stop_token& stop, StageTimes& times) {
     Stopwatch watch;
     const std::vector<float> together = probability_together(patches.pairs);
     const std::vector<std::uint32_t> part_of_patch =
@@ -97,7 +100,7 @@ Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts, Stag
         labels.branch_of_triangle.push_back(patches.pairs.branch_of_patch[patch]);
     }
     times.push_back({"merge", watch.lap_ms()});
-    refine_borders(patches.surface, labels.part_of_triangle);
+    refine_borders(patches.surface, labels.part_of_triangle, {}, stop);
     times.push_back({"borders", watch.lap_ms()});
     return labels;
 }
@@ -182,11 +185,13 @@ Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
     } else {
         patches.graph = patch_graph(
             patches.mended.mesh, patches.surface,
-            {.count = std::max(options.patches, 4 * options.parts), .at_least = options.parts});
+            {.count = std::max(options.patches, 4 * options.parts), .at_least = options.parts},
+            stop);
     }
     patches.stage_times.push_back({"patches", watch.lap_ms()});
-    if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
-    patches.pairs = pair_features(patches.surface, patches.graph, patches.skeleton);
+    if (stop.stop_requested()) return decomposing_cancelled();
+    patches.pairs = pair_features(patches.surface, patches.graph, patches.skeleton, stop);
+    if (stop.stop_requested()) return decomposing_cancelled();
     patches.stage_times.push_back({"pairs", watch.lap_ms()});
     return patches;
 }
@@ -209,7 +214,7 @@ Result<Decomposition> decompose(mesh::MendedSurface surface, const DecomposeOpti
         if (!model) return model.error();
         Decomposition result = begin_decomposition(*model);
         Labels labels = label_by_branch(*model, options, stop, result);
-        if (stop.stop_requested()) return Error{ErrorCode::kCancelled, "decomposing was cancelled"};
+        if (stop.stop_requested()) return decomposing_cancelled();
         return finish_decomposition(*std::move(model), std::move(labels), std::move(result));
     }
     auto patches = measure_patches(std::move(surface), options, stop);
@@ -218,7 +223,8 @@ Result<Decomposition> decompose(mesh::MendedSurface surface, const DecomposeOpti
         return too_many_parts(options.parts, patches->graph.size());
     }
     Decomposition result = begin_decomposition(*patches);
-    Labels labels = label_by_evidence(*patches, options.parts, result.stage_times);
+    Labels labels = label_by_evidence(*patches, options.parts, stop, result.stage_times);
+    if (stop.stop_requested()) return decomposing_cancelled();
     return finish_decomposition(*std::move(patches), std::move(labels), std::move(result));
 }
 

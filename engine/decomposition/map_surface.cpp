@@ -46,12 +46,13 @@ std::vector<std::uint32_t> map_surface(const mesh::TriangleMesh& mesh,
     std::vector<std::uint32_t> labels(surface.size(), kUnlabeled);
     const std::vector<bool> sampled = choose_samples(surface.size(), options);
     for (std::uint32_t v = 0; v < surface.size(); ++v) {
-        if (sampled[v]) labels[v] = branch_of(v);
+        if (sampled[v]) labels[v] = stop.stop_requested() ? 0 : branch_of(v);
     }
     flood_labels(surface, labels);
     // Pieces of the surface without a sample are small: all of their vertices are mapped.
     for (std::uint32_t v = 0; v < surface.size(); ++v) {
-        if (labels[v] == kUnlabeled) labels[v] = branch_of(v);
+        if (labels[v] != kUnlabeled) continue;
+        labels[v] = stop.stop_requested() ? 0 : branch_of(v);
     }
     refine_by_curvature(surface, labels);
     std::vector<std::uint32_t> of_triangle;

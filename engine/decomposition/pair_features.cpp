@@ -306,7 +306,7 @@ std::vector<double> mean_distances(const PatchGraph& graph, const PatchTable& ge
 }  // namespace
 
 PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
-                         const skeleton::Skeleton& skeleton) {
+                         const skeleton::Skeleton& skeleton, const std::stop_token& stop) {
     if (graph.size() < 2) {
         return {graph.size(), {}, std::vector<std::int32_t>(graph.size(), -1)};
     }
@@ -328,11 +328,12 @@ PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
     find_anchors(grid, samples, solid.volume, scale_voxels, measures);
 
     PairMeasuring measuring(graph, measures, scale);
-    measuring.along_the_surface(geodesic);
-    measuring.thickness();
-    measuring.resistance();
-    measuring.through_the_solid(grid, solid.volume, scale_voxels);
-    measuring.along_the_skeleton(samples, scale_voxels);
+    const auto going_on = [&stop] { return !stop.stop_requested(); };
+    if (going_on()) measuring.along_the_surface(geodesic);
+    if (going_on()) measuring.thickness();
+    if (going_on()) measuring.resistance();
+    if (going_on()) measuring.through_the_solid(grid, solid.volume, scale_voxels);
+    if (going_on()) measuring.along_the_skeleton(samples, scale_voxels);
     return measuring.take();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -68,6 +69,6 @@ struct PatchPairs {
 /// Measures every pair of patches. About 12,000 pairs of 160 patches take some 15 ms.
 /// @param skeleton  of the same model, with the solid's volume
 PatchPairs pair_features(const SurfaceGraph& surface, const PatchGraph& graph,
-                         const skeleton::Skeleton& skeleton);
+                         const skeleton::Skeleton& skeleton, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

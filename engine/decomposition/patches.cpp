@@ -42,8 +42,9 @@ public:
         }
     }
 
-    /// The nearest seed of each triangle; kNoPatch where none can be reached.
-    std::vector<std::uint32_t> nearest(const std::vector<std::uint32_t>& seeds) {
+    /// The nearest seed of each triangle; kNoPatch where none can be reached, or when stopped.
+    std::vector<std::uint32_t> nearest(const std::vector<std::uint32_t>& seeds,
+                                       const std::stop_token& stop) {
         constexpr float kLevelsPerUnit = 64.0F;
         std::vector<std::uint32_t> owner(surface_.size(), kNoPatch);
         distances_.assign(surface_.size(), std::numeric_limits<float>::infinity());
@@ -58,7 +59,7 @@ public:
             return static_cast<std::size_t>(std::min(distance * kLevelsPerUnit, 1e6F));
         };
         // Levels are corrected until nothing in them changes: exact for any width of a level.
-        for (std::size_t level = 0; level < levels.size(); ++level) {
+        for (std::size_t level = 0; level < levels.size() && !stop.stop_requested(); ++level) {
             for (std::size_t next = 0; next < levels[level].size(); ++next) {
                 const std::uint32_t t = levels[level][next];
                 if (level_of(distances_[t]) != level) continue;
@@ -204,9 +205,11 @@ void add_patches(const SurfaceGraph& surface, PatchGraph& graph) {
 }
 
 /// Triangles that no seed has reached join the patch whose centre is nearest.
-void join_small_pieces(const SurfaceGraph& surface, PatchGraph& graph) {
+void join_small_pieces(const SurfaceGraph& surface, PatchGraph& graph,
+                       const std::stop_token& stop) {
     for (std::size_t t = 0; t < surface.size(); ++t) {
         if (graph.of_triangle[t] != kNoPatch) continue;
+        if (stop.stop_requested()) return;
         if (surface.first_of_face[t] != t) {
             graph.of_triangle[t] = graph.of_triangle[surface.first_of_face[t]];
             ++graph.patches[graph.of_triangle[t]].triangles;
@@ -292,20 +295,22 @@ void link_pieces(PatchGraph& graph) {
 }  // namespace
 
 PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
-                       const PatchGraphOptions& options) {
+                       const PatchGraphOptions& options, const std::stop_token& stop) {
     PatchGraph graph;
     if (surface.size() == 0) return graph;
     PatchGrowth growth(surface, options.count);
     std::vector<std::uint32_t> seeds = first_seeds(mesh, surface, options.count);
     for (int round = 0; round < kRounds; ++round) {
         if (round > 0) seeds = growth.middles(graph.of_triangle, std::move(seeds));
-        graph.of_triangle = growth.nearest(seeds);
+        graph.of_triangle = growth.nearest(seeds, stop);
+        if (stop.stop_requested()) return graph;
     }
     keep_faces_whole(surface, graph.of_triangle);
     if (options.at_least > 0) part_until(options.at_least, surface, graph.of_triangle);
     graph.total_area = surface.total_area;
     add_patches(surface, graph);
-    join_small_pieces(surface, graph);
+    join_small_pieces(surface, graph, stop);
+    if (stop.stop_requested()) return graph;
     add_links(surface, graph);
     link_pieces(graph);
     return graph;

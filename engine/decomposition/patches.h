@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -47,6 +48,6 @@ struct PatchGraphOptions {
 /// the largest faces that are not alone become patches of their own.
 /// @param mesh  the mesh of `surface`
 PatchGraph patch_graph(const mesh::TriangleMesh& mesh, const SurfaceGraph& surface,
-                       const PatchGraphOptions& options = {});
+                       const PatchGraphOptions& options = {}, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

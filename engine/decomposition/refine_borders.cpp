@@ -123,9 +123,12 @@ private:
 }  // namespace
 
 void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
-                    const RefineBordersOptions& options) {
+                    const RefineBordersOptions& options, const std::stop_token& stop) {
     BorderRefinement refinement(surface, labels, options);
-    for (const auto& [a, b] : touching_parts(surface, labels)) refinement.between(a, b);
+    for (const auto& [a, b] : touching_parts(surface, labels)) {
+        if (stop.stop_requested()) return;
+        refinement.between(a, b);
+    }
 }
 
 }  // namespace ossuary::decomposition

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/decomposition/surface_graph.h"
@@ -21,6 +22,6 @@ struct RefineBordersOptions {
 /// cuts", 2003, sec. 5). No part disappears or falls apart by it.
 /// @param labels  the part of each triangle
 void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
-                    const RefineBordersOptions& options = {});
+                    const RefineBordersOptions& options = {}, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

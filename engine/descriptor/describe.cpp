@@ -72,23 +72,30 @@ int turned_resolution(const DescribeOptions& options) {
     return std::max(kLeast, static_cast<int>(std::lround(wanted)));
 }
 
+/// Further grids are laid while finding the insides has cost no more than this (VoxelSolid::work),
+/// a second or so; ordinary models stay a hundred times below.
+constexpr std::uint64_t kMostWork = std::uint64_t{1} << 28;
+
 /// Appends the model's skeletons on the turned grids.
+/// @param work  that the first grid has cost
 /// @param options  without canonical_pose: turned against `voxelize.rotation`
 /// Errors: those of skeletonize.
 Result<void> trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions& options,
-                          std::vector<matching::SkeletonDescriptor>& skeletons,
-                          std::stop_token stop) {
+                          std::uint64_t work, std::vector<matching::SkeletonDescriptor>& skeletons,
+                          const std::stop_token& stop) {
     assert(!options.skeletonize.canonical_pose);
     assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
     const std::array<Mat3, kMaxTurnedGrids> turns = grid_turns();
     const int resolution = turned_resolution(options);
     for (std::size_t i = 0; i < static_cast<std::size_t>(options.turned_grids); ++i) {
+        if (work > kMostWork) break;
         skeleton::SkeletonizeOptions turned = options.skeletonize;
         turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
         turned.voxelize.resolution = resolution;
         turned.refine.significance = false;  // a tenth of the time, and not looked at
         const Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, turned, stop);
         if (!made) return made.error();
+        work += made->solid.work;
         const MeasuredSolid solid(made->solid.volume);
         skeletons.push_back(matching::trace_skeleton(
             with_tube_radii(made->refined, made->solid.volume), solid.scale));
@@ -120,16 +127,17 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
     std::vector<matching::SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
     lap("describe_skeleton");
     const Result<void> traced =
-        trace_turned(skeleton.body.of(mesh), with_body(skeleton.body, options), skeletons, stop);
+        trace_turned(skeleton.body.of(mesh), with_body(skeleton.body, options), skeleton.solid.work,
+                     skeletons, stop);
     if (!traced) return traced.error();
     lap("turned_skeletons");
     if (stop.stop_requested()) return cancelled();
 
     description.descriptor.globals =
-        global_descriptors(solid.surface, skeleton.solid.volume, skeletons);
+        global_descriptors(solid.surface, skeleton.solid.volume, skeletons, stop);
+    if (stop.stop_requested()) return cancelled();
     description.descriptor.skeleton = std::move(skeletons.front());
     lap("global_descriptors");
-    if (stop.stop_requested()) return cancelled();
 
     description.descriptor.signature =
         preselection_signature(description.descriptor.skeleton, description.descriptor.globals);

@@ -20,7 +20,7 @@ constexpr int kGeodesicSources = 16;
 
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons) {
+    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
@@ -28,10 +28,13 @@ std::vector<GlobalDescriptor> global_descriptors(
         assert(values.size() == kind.size);
         globals.push_back({std::string(kind.name), std::move(values)});
     };
-    add(skeleton_pairs(skeletons));
-    add(skeleton_layout(skeletons));
+    add(skeleton_pairs(skeletons, stop));
+    add(skeleton_layout(skeletons, stop));
+    if (stop.stop_requested()) return globals;
     add(view_spectra(surface));
+    if (stop.stop_requested()) return globals;
     add(surface_pairs(graph));
+    if (stop.stop_requested()) return globals;
     add(local_volume(graph, average_geodesic_distances(graph, kGeodesicSources), solid));
     add(radial_thickness(graph, shape_diameters(graph, solid)));
     return globals;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -54,9 +55,10 @@ enum GlobalPlace : std::size_t {
 /// All global descriptors of a solid and its skeleton.
 /// @param surface    solid_surface(solid)
 /// @param skeletons  of the same model, made on one grid or several
+/// @param stop  once requested, they are not complete
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons);
+    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop = {});
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.

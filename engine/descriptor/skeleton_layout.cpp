@@ -22,7 +22,8 @@ double sample_mass(const SkeletonSample& sample) {
     return sample.length * sample.radius * sample.radius;
 }
 
-std::vector<float> layout_histogram(const matching::SkeletonDescriptor& skeleton) {
+std::vector<float> layout_histogram(const matching::SkeletonDescriptor& skeleton,
+                                    const std::stop_token& stop) {
     const std::vector<SkeletonSample> samples = skeleton_samples(skeleton);
     Vec3 centre = Vec3::Zero();
     double total = 0.0;
@@ -41,7 +42,7 @@ std::vector<float> layout_histogram(const matching::SkeletonDescriptor& skeleton
     SoftHistogram<3> histogram({{{0.0, kFarthest, kLayoutDistances},
                                  {0.0, kFarthest, kLayoutDistances},
                                  {-1.0, 1.0, kCosines}}});
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < points.size() && !stop.stop_requested(); ++i) {
         for (std::size_t j = i; j < points.size(); ++j) {
             constexpr double kLeast = 1e-9;
             const double cosine =
@@ -58,8 +59,10 @@ std::vector<float> layout_histogram(const matching::SkeletonDescriptor& skeleton
 
 }  // namespace
 
-std::vector<std::uint8_t> skeleton_layout(std::span<const matching::SkeletonDescriptor> skeletons) {
-    return mean_root_bytes(skeletons, kSkeletonLayoutSize, kHistogramByteScale, layout_histogram);
+std::vector<std::uint8_t> skeleton_layout(std::span<const matching::SkeletonDescriptor> skeletons,
+                                          const std::stop_token& stop) {
+    return mean_root_bytes(skeletons, kSkeletonLayoutSize, kHistogramByteScale, layout_histogram,
+                           stop);
 }
 
 }  // namespace ossuary::descriptor

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "engine/matching/skeleton_descriptor.h"
@@ -19,6 +20,7 @@ inline constexpr std::size_t kSkeletonLayoutSize = 7 * 7 * 7;
 /// Beside tree edit distance and pairs it raises the first tier of all 19 classes from .703 to
 /// .722, of the ten from .864 to .871; a point weighing as the surface around it .717 and .862.
 /// Balls in place of points raised that of the ten from .877 to .881.
-std::vector<std::uint8_t> skeleton_layout(std::span<const matching::SkeletonDescriptor> skeletons);
+std::vector<std::uint8_t> skeleton_layout(std::span<const matching::SkeletonDescriptor> skeletons,
+                                          const std::stop_token& stop = {});
 
 }  // namespace ossuary::descriptor

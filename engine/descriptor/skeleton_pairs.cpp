@@ -47,7 +47,8 @@ private:
     std::vector<std::vector<double>> from_;
 };
 
-std::vector<float> pairs_histogram(const matching::SkeletonDescriptor& skeleton) {
+std::vector<float> pairs_histogram(const matching::SkeletonDescriptor& skeleton,
+                                   const std::stop_token& stop) {
     SoftHistogram<3> histogram({{{0.0, 2.5, static_cast<int>(kPairDistances)},
                                  {0.0, 1.0, static_cast<int>(kStraightnesses)},
                                  {std::log(0.01), std::log(0.4), static_cast<int>(kRadii)}}});
@@ -55,7 +56,7 @@ std::vector<float> pairs_histogram(const matching::SkeletonDescriptor& skeleton)
     const AlongSkeleton along(skeleton);
     std::vector<double> logarithms;  // of the radii: one for each sample, not for each pair
     for (const SkeletonSample& sample : samples) logarithms.push_back(std::log(sample.radius));
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t i = 0; i < samples.size() && !stop.stop_requested(); ++i) {
         for (std::size_t j = i + 1; j < samples.size(); ++j) {
             const SkeletonSample& s = samples[i];
             const SkeletonSample& t = samples[j];
@@ -84,8 +85,10 @@ std::array<double, kPairDistances * kRadii> without_straightness(
 
 }  // namespace
 
-std::vector<std::uint8_t> skeleton_pairs(std::span<const matching::SkeletonDescriptor> skeletons) {
-    return mean_root_bytes(skeletons, kSkeletonPairsSize, kHistogramByteScale, pairs_histogram);
+std::vector<std::uint8_t> skeleton_pairs(std::span<const matching::SkeletonDescriptor> skeletons,
+                                         const std::stop_token& stop) {
+    return mean_root_bytes(skeletons, kSkeletonPairsSize, kHistogramByteScale, pairs_histogram,
+                           stop);
 }
 
 double skeleton_pairs_distance(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,

@@ -37,10 +37,11 @@ std::vector<SkeletonSample> skeleton_samples(const matching::SkeletonDescriptor&
 
 std::vector<std::uint8_t> mean_root_bytes(
     std::span<const matching::SkeletonDescriptor> skeletons, std::size_t size, double scale,
-    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&)) {
+    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&, const std::stop_token&),
+    const std::stop_token& stop) {
     std::vector<float> mean(size, 0.0F);
     for (const matching::SkeletonDescriptor& skeleton : skeletons) {
-        const std::vector<float> histogram = histogram_of(skeleton);
+        const std::vector<float> histogram = histogram_of(skeleton, stop);
         for (std::size_t i = 0; i < size; ++i) {
             mean[i] += histogram[i] / static_cast<float>(skeletons.size());
         }

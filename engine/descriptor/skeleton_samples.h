@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -26,9 +27,10 @@ struct SkeletonSample {
     const matching::SkeletonDescriptor& skeleton);
 
 /// The mean of a histogram over several skeletons of one model, as square roots in bytes
-/// (append_root_bytes); zeros without any.
+/// (append_root_bytes); zeros without any. Not complete when stopped.
 [[nodiscard]] std::vector<std::uint8_t> mean_root_bytes(
     std::span<const matching::SkeletonDescriptor> skeletons, std::size_t size, double scale,
-    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&));
+    std::vector<float> (*histogram_of)(const matching::SkeletonDescriptor&, const std::stop_token&),
+    const std::stop_token& stop);
 
 }  // namespace ossuary::descriptor

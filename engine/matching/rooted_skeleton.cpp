@@ -133,12 +133,18 @@ private:
     std::map<std::tuple<std::uint32_t, double, double>, std::uint32_t> known_;
 };
 
+/// A tree node with the stretch of branch that leads to it: pieces are cut once it is known which
+/// nodes stay.
+struct GatheredNode : RootedTree::Node {
+    std::uint32_t branch = kNoIndex;  ///< none at a component's root
+    double from = 0.0, to = 0.0;      ///< as for PieceStore
+};
 /// Tree nodes while they are gathered, parents before children.
-using Gathered = std::vector<RootedTree::Node>;
+using Gathered = std::vector<GatheredNode>;
 
 /// Appends the tree of one component below gathered node `root`.
 void gather_component(const SkeletonDescriptor& descriptor, const SkeletonAdjacency& adjacency,
-                      std::uint32_t root, PieceStore& pieces, Gathered& gathered) {
+                      std::uint32_t root, Gathered& gathered) {
     const std::uint32_t graph_root = gathered[root].graph_node;
     const float offset = gathered[root].root_distance;
     const SkeletonPaths paths = shortest_paths(descriptor, adjacency, graph_root);
@@ -147,8 +153,10 @@ void gather_component(const SkeletonDescriptor& descriptor, const SkeletonAdjace
     std::vector<bool> used(descriptor.branches.size(), false);
     const auto append = [&](std::uint32_t branch, double from, double to, std::uint32_t start,
                             std::uint32_t end) {
-        RootedTree::Node node;
-        node.piece = pieces.piece(branch, from, to);
+        GatheredNode node;
+        node.branch = branch;
+        node.from = from;
+        node.to = to;
         node.graph_node = end;
         node.parent = tree_node[start];
         node.weight = static_cast<float>(descriptor.branches[branch].length * std::abs(to - from));
@@ -181,7 +189,7 @@ void gather_component(const SkeletonDescriptor& descriptor, const SkeletonAdjace
 /// Takes the lightest leaves away until at most `limit` nodes are left.
 void limit_size(Gathered& gathered, std::size_t limit) {
     std::vector<std::uint32_t> child_count(gathered.size(), 0);
-    for (const RootedTree::Node& node : gathered) {
+    for (const GatheredNode& node : gathered) {
         if (node.parent != kNoIndex) ++child_count[node.parent];
     }
     std::vector<bool> gone(gathered.size(), false);
@@ -207,15 +215,18 @@ void limit_size(Gathered& gathered, std::size_t limit) {
     gathered = std::move(kept);
 }
 
-RootedTree finish(Gathered gathered) {
+RootedTree finish(Gathered gathered, PieceStore& pieces) {
     RootedTree tree;
     const auto count = static_cast<std::uint32_t>(gathered.size());
+    for (GatheredNode& node : gathered) {
+        if (node.branch != kNoIndex) node.piece = pieces.piece(node.branch, node.from, node.to);
+    }
     std::reverse(gathered.begin(), gathered.end());
-    for (RootedTree::Node& node : gathered) {
+    for (GatheredNode& node : gathered) {
         if (node.parent != kNoIndex) node.parent = count - 1 - node.parent;
         tree.total_weight += node.weight;
     }
-    tree.nodes = std::move(gathered);
+    tree.nodes.assign(gathered.begin(), gathered.end());
     return tree;
 }
 
@@ -244,9 +255,9 @@ void merge_trees(RootedSkeletons& rooted) {
     rooted.merged.shape = tree_shape(all_children);
 }
 
-RootedTree::Node component_root(const SkeletonDescriptor& descriptor, std::uint32_t graph_node,
-                                double blob_weight) {
-    RootedTree::Node node;
+GatheredNode component_root(const SkeletonDescriptor& descriptor, std::uint32_t graph_node,
+                            double blob_weight) {
+    GatheredNode node;
     node.graph_node = graph_node;
     node.radius = descriptor.nodes[graph_node].radius;
     node.weight = static_cast<float>(blob_weight * node.radius);
@@ -277,17 +288,17 @@ RootedSkeletons root_skeleton(const SkeletonDescriptor& descriptor, const Rootin
     PieceStore pieces(descriptor, rooted);
     for (const std::uint32_t root : components.front().roots) {
         Gathered gathered = {component_root(descriptor, root, options.root_blob_weight)};
-        gather_component(descriptor, adjacency, 0, pieces, gathered);
+        gather_component(descriptor, adjacency, 0, gathered);
         for (std::size_t i = 1; i < components.size(); ++i) {
             const std::uint32_t other = components[i].roots.front();
             const auto place = static_cast<std::uint32_t>(gathered.size());
             gathered.push_back(component_root(descriptor, other, options.root_blob_weight));
             gathered.back().parent = 0;
             gathered.back().root_distance = gap_between(descriptor, root, other);
-            gather_component(descriptor, adjacency, place, pieces, gathered);
+            gather_component(descriptor, adjacency, place, gathered);
         }
         limit_size(gathered, static_cast<std::size_t>(options.max_pieces) + 1);
-        rooted.trees.push_back(finish(std::move(gathered)));
+        rooted.trees.push_back(finish(std::move(gathered), pieces));
     }
     merge_trees(rooted);
     std::vector<std::span<const chain_code::DirectionStep>> codes;

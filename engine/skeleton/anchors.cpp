@@ -29,11 +29,11 @@ int block_edge_for(const voxel::BitVolume& solid) {
 class PathLayer {
 public:
     PathLayer(const ThinningGrid& corridor, const PaddedDistance& depth,
-              const std::vector<VoxelIndex>& centres)
+              const std::vector<VoxelIndex>& centres, const std::stop_token& stop)
         : steps_(corridor.shape().neighbor_steps()),
           paths_(shortest_paths(
               corridor, [](VoxelIndex) { return k26Neighbors; },
-              [&](VoxelIndex v) { return depth.squared(v); }, centres)) {}
+              [&](VoxelIndex v) { return depth.squared(v); }, centres, stop)) {}
 
     /// The voxel of a block with the longest way to its centre. @pre there is a way
     [[nodiscard]] VoxelIndex farthest_of(const BlockGrid& blocks, VoxelIndex block,
@@ -113,7 +113,7 @@ void add_path(const std::vector<VoxelIndex>& path, const voxel::BitVolume& solid
 }  // namespace
 
 Anchors find_anchors(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
-                     const ThinningOptions& options) {
+                     const ThinningOptions& options, const std::stop_token& stop) {
     const PaddedShape shape(solid.size());
     Anchors anchors{ThinningGrid(shape), 0, true};
     BlockGrid blocks(solid, distance, block_edge_for(solid));
@@ -129,17 +129,22 @@ Anchors find_anchors(const voxel::BitVolume& solid, const voxel::DistanceField& 
 
     const double coverage =
         std::max(options.coverage_voxels, options.coverage_share * solid.size().maxCoeff());
-    Tips tips = find_tips(blocks, centre_blocks, coverage, options);
+    Tips tips = find_tips(blocks, centre_blocks, coverage, options, stop);
     PathsInBlocks paths{std::move(blocks), std::move(tips)};
-    while (paths.blocks.edge() > 2) paths = finer_paths(paths, solid, distance, centres);
+    while (paths.blocks.edge() > 2 && !stop.stop_requested()) {
+        paths = finer_paths(paths, solid, distance, centres, stop);
+    }
+    if (stop.stop_requested()) return anchors;
 
     const PaddedDistance depth(distance, shape);
-    const PathLayer layer(corridor_along(paths, solid, distance), depth, centres);
+    const PathLayer layer(corridor_along(paths, solid, distance), depth, centres, stop);
+    if (stop.stop_requested()) return anchors;
     std::vector<VoxelIndex> ends;
     for (const VoxelIndex block : paths.tips.blocks) {
         ends.push_back(layer.farthest_of(paths.blocks, block, solid, shape));
     }
     for (const VoxelIndex end : ends) {
+        if (stop.stop_requested()) break;
         add_path(layer.path_from(end, anchors.voxels), solid, anchors);
     }
     return anchors;

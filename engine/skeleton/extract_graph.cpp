@@ -18,8 +18,9 @@ public:
     GraphExtraction(const voxel::BitVolume& skeleton, const voxel::DistanceField& distance)
         : grid_(skeleton), distance_(distance), steps_(grid_.shape().neighbor_steps()) {}
 
-    SkeletonGraph run() {
+    SkeletonGraph run(const std::stop_token& stop) {
         grid_.for_each([&](VoxelIndex v) {
+            if (stop.stop_requested()) return;
             const int valence = std::popcount(grid_.neighborhood(v) & k26Neighbors);
             if (valence <= 1) {
                 add_node({v});
@@ -27,6 +28,8 @@ public:
                 add_cluster(v);
             }
         });
+        // Chains end at nodes: without all of them there is no following them.
+        if (stop.stop_requested()) return {};
         connect_touching_nodes();
         // Nodes and their voxels by number, so that the order of branches follows that of voxels.
         for (std::uint32_t node = 0; node < voxels_of_.size(); ++node) {
@@ -181,9 +184,9 @@ private:
 
 }  // namespace
 
-SkeletonGraph extract_graph(const voxel::BitVolume& skeleton,
-                            const voxel::DistanceField& distance) {
-    return GraphExtraction(skeleton, distance).run();
+SkeletonGraph extract_graph(const voxel::BitVolume& skeleton, const voxel::DistanceField& distance,
+                            const std::stop_token& stop) {
+    return GraphExtraction(skeleton, distance).run(stop);
 }
 
 }  // namespace ossuary::skeleton

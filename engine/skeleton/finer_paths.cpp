@@ -25,12 +25,14 @@ ThinningGrid parts_of(const ThinningGrid& tree, const PaddedShape& finer) {
     return parts;
 }
 
-/// The tips and their paths in finer blocks; none where one of them is not reached.
+/// The tips and their paths in finer blocks; none where one of them is not reached, or when
+/// stopped.
 std::optional<Tips> tips_in(const BlockGrid& blocks, const PathsInBlocks& coarse,
-                            const std::vector<VoxelIndex>& centres) {
+                            const std::vector<VoxelIndex>& centres, const std::stop_token& stop) {
     const VoxelPaths paths = shortest_paths(
         blocks.occupied(), [&](VoxelIndex b) { return blocks.links(b); },
-        [&](VoxelIndex b) { return blocks.squared_radius(b); }, centres);
+        [&](VoxelIndex b) { return blocks.squared_radius(b); }, centres, stop);
+    if (stop.stop_requested()) return std::nullopt;
     const auto steps = blocks.shape().neighbor_steps();
     Tips tips{{}, ThinningGrid(blocks.shape())};
     for (const VoxelIndex centre : centres) tips.tree.set(centre);
@@ -55,7 +57,7 @@ std::optional<Tips> tips_in(const BlockGrid& blocks, const PathsInBlocks& coarse
 
 PathsInBlocks finer_paths(const PathsInBlocks& coarse, const voxel::BitVolume& solid,
                           const voxel::DistanceField& distance,
-                          const std::vector<VoxelIndex>& centres) {
+                          const std::vector<VoxelIndex>& centres, const std::stop_token& stop) {
     assert(coarse.blocks.edge() % 2 == 0);
     const int edge = coarse.blocks.edge() / 2;
     const PaddedShape voxels(solid.size());
@@ -65,12 +67,14 @@ PathsInBlocks finer_paths(const PathsInBlocks& coarse, const voxel::BitVolume& s
         centre_blocks.push_back(shape.index(voxels.position(centre) / edge));
     }
     BlockGrid near(solid, distance, edge, parts_of(coarse.tips.tree, shape));
-    if (auto tips = tips_in(near, coarse, centre_blocks))
+    if (auto tips = tips_in(near, coarse, centre_blocks, stop))
         return {std::move(near), *std::move(tips)};
     BlockGrid all(solid, distance, edge);
     // Whatever voxels of the solid are joined, their blocks are linked.
-    Tips tips = tips_in(all, coarse, centre_blocks).value();
-    return {std::move(all), std::move(tips)};
+    auto tips = tips_in(all, coarse, centre_blocks, stop);
+    assert(tips || stop.stop_requested());
+    if (!tips) tips.emplace(Tips{{}, ThinningGrid(shape)});
+    return {std::move(all), *std::move(tips)};
 }
 
 }  // namespace ossuary::skeleton

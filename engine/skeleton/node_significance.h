@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "engine/skeleton/skeleton_graph.h"
@@ -8,8 +9,9 @@
 namespace ossuary::skeleton {
 
 /// The second sum of eq. 3.3 (thesis sec. 3.2.3) for each node: its distances to the `closest`
-/// nearest points of the surface (to all of them where there are fewer).
+/// nearest points of the surface (to all of them where there are fewer). Not complete when stopped.
 std::vector<double> surface_distance_sums(const SkeletonGraph& graph, std::span<const Vec3> surface,
+                                          const std::stop_token& stop = {},
                                           std::size_t closest = 10);
 
 /// Sets every node's significance, eq. 3.3: 0 for nodes of degree 2, else the lengths of the

@@ -27,11 +27,11 @@ public:
         });
     }
 
-    ThinningGrid run() {
+    ThinningGrid run(const std::stop_token& stop) {
         do {
-            while (iterate()) {
+            while (!stop.stop_requested() && iterate()) {
             }
-        } while (break_tie());
+        } while (!stop.stop_requested() && break_tie());
         return std::move(object_);
     }
 
@@ -174,8 +174,8 @@ private:
 
 }  // namespace
 
-ThinningGrid thin_in_parallel(const voxel::BitVolume& solid) {
-    return ParallelThinning(solid).run();
+ThinningGrid thin_in_parallel(const voxel::BitVolume& solid, const std::stop_token& stop) {
+    return ParallelThinning(solid).run(stop);
 }
 
 }  // namespace ossuary::skeleton

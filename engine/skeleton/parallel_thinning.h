@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary::skeleton {
@@ -9,6 +11,6 @@ namespace ossuary::skeleton {
 /// once. Where even widths bring this to a halt (both sides of a pair are candidates and protect
 /// each other), one pass over the simple points that face a single side breaks the tie. Topology is
 /// kept by P-simplicity alone. Small crowds may be left for thin_to_unit_width.
-ThinningGrid thin_in_parallel(const voxel::BitVolume& solid);
+ThinningGrid thin_in_parallel(const voxel::BitVolume& solid, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

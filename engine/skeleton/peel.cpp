@@ -35,12 +35,13 @@ public:
         });
     }
 
-    ThinningGrid run() {
+    ThinningGrid run(const std::stop_token& stop) {
         // Within a level in waves from the border inwards, so that what has one depth throughout,
         // such as a plate, shrinks evenly from all sides.
         std::vector<VoxelIndex> wave;
         for (std::size_t level = 0; level < levels_.size(); ++level) {
             while (!levels_[level].empty()) {
+                if (stop.stop_requested()) return std::move(object_);
                 wave.clear();
                 std::swap(wave, levels_[level]);
                 for (const VoxelIndex v : wave) {
@@ -127,8 +128,8 @@ private:
 }  // namespace
 
 ThinningGrid peel(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
-                  const ThinningGrid& keep) {
-    return Peeling(solid, distance, keep).run();
+                  const ThinningGrid& keep, const std::stop_token& stop) {
+    return Peeling(solid, distance, keep).run(stop);
 }
 
 }  // namespace ossuary::skeleton

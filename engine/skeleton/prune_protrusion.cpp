@@ -23,8 +23,8 @@ std::optional<RankedLeaf> least_protruding(const SkeletonGraph& graph) {
     return least;
 }
 
-void prune_below(SkeletonGraph& graph, double threshold) {
-    for (;;) {
+void prune_below(SkeletonGraph& graph, double threshold, const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
         const auto least = least_protruding(graph);
         if (!least || least->protrusion >= threshold) return;
         remove_leaf(graph, least->leaf);
@@ -32,8 +32,8 @@ void prune_below(SkeletonGraph& graph, double threshold) {
 }
 
 /// Shortest first, so that a chain of junctions within one ball meets in its middle.
-void merge_junctions(SkeletonGraph& graph) {
-    for (;;) {
+void merge_junctions(SkeletonGraph& graph, const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
         std::optional<std::uint32_t> shortest;
         double shortest_length = std::numeric_limits<double>::infinity();
         for (std::uint32_t i = 0; i < graph.branches.size(); ++i) {
@@ -69,23 +69,24 @@ double protrusion(const SkeletonGraph& graph, std::uint32_t branch, std::uint32_
     return radius > 0.0 ? reach / radius : std::numeric_limits<double>::infinity();
 }
 
-void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options) {
+void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options,
+                         const std::stop_token& stop) {
     join_degree_two_nodes(graph);
     double threshold = options.min_protrusion;
-    prune_below(graph, threshold);
+    prune_below(graph, threshold, stop);
     if (options.merge_junctions) {
-        merge_junctions(graph);
-        prune_below(graph, threshold);
+        merge_junctions(graph, stop);
+        prune_below(graph, threshold, stop);
     }
-    while (static_cast<int>(leaves(graph).size()) > options.max_leaves) {
+    while (static_cast<int>(leaves(graph).size()) > options.max_leaves && !stop.stop_requested()) {
         const auto least = least_protruding(graph);
         // To the next threshold of the geometric series that removes something.
         if (!(least->protrusion < std::numeric_limits<double>::infinity())) return;
         while (threshold <= least->protrusion) threshold *= 1.1;
-        prune_below(graph, threshold);
+        prune_below(graph, threshold, stop);
         if (options.merge_junctions) {
-            merge_junctions(graph);
-            prune_below(graph, threshold);
+            merge_junctions(graph, stop);
+            prune_below(graph, threshold, stop);
         }
     }
 }

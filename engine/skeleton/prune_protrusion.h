@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/skeleton/skeleton_graph.h"
 
 namespace ossuary::skeleton {
@@ -17,7 +19,8 @@ double protrusion(const SkeletonGraph& graph, std::uint32_t branch, std::uint32_
 /// Removes the leaf that protrudes least until all reach min_protrusion, joining what is left of
 /// dissolved junctions; then draws together junctions within one ball, and prunes again. Solids
 /// with more than max_leaves left, such as cups and shells, are pruned harder. No cycle and no
-/// component goes.
-void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options = {});
+/// component goes. Ends early when stopped.
+void prune_by_protrusion(SkeletonGraph& graph, const ProtrusionOptions& options = {},
+                         const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

@@ -23,11 +23,11 @@ double mean_significance_per_degree(const SkeletonGraph& graph) {
 }  // namespace
 
 void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
-                           double significance_scale) {
+                           double significance_scale, const std::stop_token& stop) {
     join_degree_two_nodes(graph);
     // Nodes do not move here: one search for each, and the sums follow the nodes' numbering.
-    std::vector<double> sums = surface_distance_sums(graph, surface);
-    for (;;) {
+    std::vector<double> sums = surface_distance_sums(graph, surface, stop);
+    while (!stop.stop_requested()) {
         set_significance(graph, sums);
         const double threshold = mean_significance_per_degree(graph) / significance_scale;
         const std::vector<Leaf> all = leaves(graph);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 
 #include "engine/skeleton/skeleton_graph.h"
 
@@ -11,9 +12,10 @@ namespace ossuary::skeleton {
 /// over the n junctions and ends. The least significant goes first, and significances are taken
 /// anew after each, since removal lengthens the branches that are left. No cycle and no component
 /// goes.
+/// Ends early when stopped.
 /// @param surface             points of the surface in the graph's coordinates
 /// @param significance_scale  t_k; larger prunes less
 void prune_by_significance(SkeletonGraph& graph, std::span<const Vec3> surface,
-                           double significance_scale);
+                           double significance_scale, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

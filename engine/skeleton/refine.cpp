@@ -21,14 +21,15 @@ constexpr std::array kPruningMethodNames = {
     PruningMethodName{PruningMethod::kNone, "none"},
 };
 
-void prune(SkeletonGraph& graph, std::span<const Vec3> surface, const RefineOptions& options) {
+void prune(SkeletonGraph& graph, std::span<const Vec3> surface, const RefineOptions& options,
+           const std::stop_token& stop) {
     switch (options.pruning) {
         case PruningMethod::kProtrusion:
             prune_by_protrusion(
-                graph, {options.min_protrusion, options.max_leaves, options.merge_junctions});
+                graph, {options.min_protrusion, options.max_leaves, options.merge_junctions}, stop);
             break;
         case PruningMethod::kSignificance:
-            prune_by_significance(graph, surface, options.significance_scale);
+            prune_by_significance(graph, surface, options.significance_scale, stop);
             break;
         case PruningMethod::kNone:
             break;
@@ -62,21 +63,22 @@ Result<PruningMethod> parse_pruning_method(std::string_view name) {
 }
 
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
-                       const RefineOptions& options) {
+                       const RefineOptions& options, const std::stop_token& stop) {
     RefinedSkeleton result;
     result.pruned = thinned;  // step 1: decomposed at the junctions when the graph was made
     join_degree_two_nodes(result.pruned);
-    prune(result.pruned, surface, options);  // steps 2-4
+    prune(result.pruned, surface, options, stop);  // steps 2-4
     update_degrees(result.pruned);
     std::vector<double> distance_sums;
     if (options.significance) {
-        distance_sums = surface_distance_sums(result.pruned, surface);
+        distance_sums = surface_distance_sums(result.pruned, surface, stop);
         set_significance(result.pruned, distance_sums);
     }
 
     result.refined = result.pruned;
     if (!options.smooth) return result;
     for (SkeletonGraph::Branch& branch : result.refined.branches) {
+        if (stop.stop_requested()) break;
         smooth_once(result.refined, branch, options.presmooth_variance);
         // Steps 5 and 6.
         smooth_once(result.refined, branch,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 #include "engine/core/geometry.h"
@@ -41,8 +42,9 @@ struct RefinedSkeleton {
 /// The seven steps of sec. 3.2.4 on a skeleton in voxel units: decompose, significance (eq. 3.3),
 /// prune, re-decompose, bending (eq. 3.4), adaptive Gaussian (eq. 3.1-3.2). Both results carry
 /// degrees and, unless declined, significances; neither has lost a cycle or a component.
+/// Not complete when stopped.
 /// @param surface  points of the model's surface in the same (grid) coordinates, for eq. 3.3
 RefinedSkeleton refine(const SkeletonGraph& thinned, std::span<const Vec3> surface,
-                       const RefineOptions& options = {});
+                       const RefineOptions& options = {}, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stop_token>
 #include <vector>
 
 #include "engine/skeleton/bucket_queue.h"
@@ -36,7 +37,8 @@ private:
     template <typename Links, typename SquaredRadius>
     friend VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
                                      const SquaredRadius& squared_radius,
-                                     const std::vector<VoxelIndex>& sources);
+                                     const std::vector<VoxelIndex>& sources,
+                                     const std::stop_token& stop);
 
     RowLayout layout_;
     std::vector<float> costs_;         ///< 0 outside the set: nothing is an improvement there
@@ -47,10 +49,11 @@ private:
 /// middle of the solid. Neighbours are looked at a row at a time: most are no improvement.
 /// @param links           v → its neighbours in the set
 /// @param squared_radius  v → r^2 > 0
+/// @param stop  once requested, the ways are not complete and must not be followed
 template <typename Links, typename SquaredRadius>
 VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
                           const SquaredRadius& squared_radius,
-                          const std::vector<VoxelIndex>& sources) {
+                          const std::vector<VoxelIndex>& sources, const std::stop_token& stop) {
     VoxelPaths paths(set);
     const RowLayout& layout = paths.layout_;
     float* const costs = paths.costs_.data();
@@ -73,7 +76,10 @@ VoxelPaths shortest_paths(const ThinningGrid& set, const Links& links,
         costs[layout.place(v)] = 0.0f;
         queue.push(0, v);
     }
+    constexpr unsigned kBetweenLooks = 1 << 14;
+    unsigned visits = 0;
     while (!queue.empty()) {
+        if (++visits % kBetweenLooks == 0 && stop.stop_requested()) break;
         const VoxelIndex v = queue.pop();
         const NeighborPlaces around(layout, v);
         std::uint8_t& own_step = path_steps[around.centre()];

@@ -43,27 +43,30 @@ Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, const SkeletonizeO
     voxelize_options.rotation = skeleton.body.axes;
     voxelize_options.whole_mesh = true;
     if (stop.stop_requested()) return cancelled("voxelize");
-    Result<voxel::VoxelSolid> solid = voxel::voxelize(mesh, voxelize_options);
+    Result<voxel::VoxelSolid> solid = voxel::voxelize(mesh, voxelize_options, stop);
     if (!solid) return solid.error();
     skeleton.solid = *std::move(solid);
     voxel::warn_of_pieces_apart(skeleton.body, skeleton.solid.warnings);
     finished("voxelize");
 
     if (stop.stop_requested()) return cancelled("distance_transform");
-    skeleton.distance = voxel::distance_transform(skeleton.solid.volume);
+    skeleton.distance = voxel::distance_transform(skeleton.solid.volume, stop);
     finished("distance_transform");
 
     if (stop.stop_requested()) return cancelled("thin");
-    skeleton.thinned_volume = thin(skeleton.solid.volume, skeleton.distance, options.thinning);
+    skeleton.thinned_volume =
+        thin(skeleton.solid.volume, skeleton.distance, options.thinning, stop);
     finished("thin");
 
     if (stop.stop_requested()) return cancelled("refine");
-    skeleton.thinned = extract_graph(skeleton.thinned_volume, skeleton.distance);
+    skeleton.thinned = extract_graph(skeleton.thinned_volume, skeleton.distance, stop);
+    if (stop.stop_requested()) return cancelled("refine");
     std::vector<Vec3> surface;
     if (needs_surface(options.refine)) {
         surface = surface_points(mesh, skeleton.solid.world_from_grid);
     }
-    RefinedSkeleton refined = refine(skeleton.thinned, surface, options.refine);
+    RefinedSkeleton refined = refine(skeleton.thinned, surface, options.refine, stop);
+    if (stop.stop_requested()) return cancelled("the end");
     skeleton.pruned = std::move(refined.pruned);
     skeleton.refined = std::move(refined.refined);
     finished("refine");

@@ -23,8 +23,8 @@ bool has_only_components(const voxel::BitVolume& volume, std::size_t components)
 
 /// The least part of the solid around the anchors, voxel by voxel, that has neither tunnels nor
 /// cavities: what loops the anchors have are filled there. None where it is most of the solid.
-std::optional<voxel::BitVolume> filled_around(const Anchors& anchors,
-                                              const voxel::BitVolume& solid) {
+std::optional<voxel::BitVolume> filled_around(const Anchors& anchors, const voxel::BitVolume& solid,
+                                              const std::stop_token& stop) {
     const std::size_t most = solid.count() / 2;
     voxel::BitVolume around = anchors.voxels.volume();
     do {
@@ -33,7 +33,7 @@ std::optional<voxel::BitVolume> filled_around(const Anchors& anchors,
             around.words()[w] &= solid.words()[w];
         }
         if (has_only_components(around, anchors.components)) return around;
-    } while (around.count() < most);
+    } while (around.count() < most && !stop.stop_requested());
     return std::nullopt;
 }
 
@@ -42,15 +42,16 @@ std::optional<voxel::BitVolume> filled_around(const Anchors& anchors,
 /// have closed loops, what is around the anchors is peeled in its stead (a fiftieth of the time);
 /// only what has tunnels or cavities to keep must be peeled as a whole.
 ThinningGrid thin_anchored(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
-                           const ThinningOptions& options) {
-    Anchors anchors = find_anchors(solid, distance, options);
+                           const ThinningOptions& options, const std::stop_token& stop) {
+    Anchors anchors = find_anchors(solid, distance, options, stop);
+    if (stop.stop_requested()) return std::move(anchors.voxels);
     if (has_only_components(solid, anchors.components)) {
         if (anchors.contractible) return std::move(anchors.voxels);
-        if (const auto around = filled_around(anchors, solid)) {
-            return peel(*around, distance, anchors.voxels);
+        if (const auto around = filled_around(anchors, solid, stop)) {
+            return peel(*around, distance, anchors.voxels, stop);
         }
     }
-    return peel(solid, distance, anchors.voxels);
+    return peel(solid, distance, anchors.voxels, stop);
 }
 
 }  // namespace
@@ -67,13 +68,13 @@ Result<ThinningMethod> parse_thinning_method(std::string_view name) {
 }
 
 voxel::BitVolume thin(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
-                      const ThinningOptions& options) {
+                      const ThinningOptions& options, const std::stop_token& stop) {
     assert(options.method == ThinningMethod::kParallel || solid.size() == distance.size());
     if (solid.voxel_count() == 0) return solid;
     ThinningGrid skeleton = options.method == ThinningMethod::kAnchored
-                                ? thin_anchored(solid, distance, options)
-                                : thin_in_parallel(solid);
-    thin_to_unit_width(skeleton);
+                                ? thin_anchored(solid, distance, options, stop)
+                                : thin_in_parallel(solid, stop);
+    thin_to_unit_width(skeleton, stop);
     return skeleton.volume();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string_view>
 
 #include "engine/core/result.h"
@@ -27,8 +28,9 @@ struct ThinningOptions {
 
 /// The curve skeleton of `solid` as voxels: a subset of it with the same components, tunnels and
 /// cavities (always), one voxel wide.
+/// When stopped, what there is by then.
 /// @param distance  of `solid`; kParallel does not look at it, and any will do
 voxel::BitVolume thin(const voxel::BitVolume& solid, const voxel::DistanceField& distance,
-                      const ThinningOptions& options = {});
+                      const ThinningOptions& options = {}, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

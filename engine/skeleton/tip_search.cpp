@@ -25,17 +25,18 @@ public:
         }
     }
 
-    Tips run() {
+    Tips run(const std::stop_token& stop) {
         Tips tips{{}, ThinningGrid(blocks_.shape())};
         if (centres_.empty()) return tips;
         const VoxelPaths paths = shortest_paths(
             blocks_.occupied(), [&](VoxelIndex b) { return blocks_.links(b); },
-            [&](VoxelIndex b) { return blocks_.squared_radius(b); }, centres_);
+            [&](VoxelIndex b) { return blocks_.squared_radius(b); }, centres_, stop);
+        if (stop.stop_requested()) return tips;
         for (const VoxelIndex centre : centres_) tips.tree.set(centre);
         BucketQueue queue(static_cast<std::size_t>(largest_cover_) + 4);
         cover_from(centres_, queue);
         rank_uncovered();
-        while (static_cast<int>(tips.blocks.size()) < options_.max_tips) {
+        while (static_cast<int>(tips.blocks.size()) < options_.max_tips && !stop.stop_requested()) {
             const auto [found, tip] = farthest();
             if (!found) break;
             tips.blocks.push_back(tip);
@@ -150,8 +151,8 @@ private:
 }  // namespace
 
 Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
-               const ThinningOptions& options) {
-    return TipSearch(blocks, centres, coverage, options).run();
+               const ThinningOptions& options, const std::stop_token& stop) {
+    return TipSearch(blocks, centres, coverage, options).run(stop);
 }
 
 }  // namespace ossuary::skeleton

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/skeleton/block_grid.h"
 #include "engine/skeleton/thinning.h"
 
@@ -16,7 +18,8 @@ struct Tips {
 /// all.
 /// @param centres   one block for each component
 /// @param coverage  in voxels
+/// @param stop  once requested, the tips are not complete and their paths must not be followed
 Tips find_tips(const BlockGrid& blocks, const std::vector<VoxelIndex>& centres, double coverage,
-               const ThinningOptions& options);
+               const ThinningOptions& options, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

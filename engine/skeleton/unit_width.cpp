@@ -63,7 +63,7 @@ void measure_spread(std::vector<CrowdVoxel>& crowd) {
 
 }  // namespace
 
-void thin_to_unit_width(ThinningGrid& object) {
+void thin_to_unit_width(ThinningGrid& object, const std::stop_token& stop) {
     const SimplePointTest& is_simple = SimplePointTest::shared();
     const auto steps = object.shape().neighbor_steps();
     std::vector<VoxelIndex> suspects;
@@ -80,6 +80,7 @@ void thin_to_unit_width(ThinningGrid& object) {
         }
         suspects.clear();
         for (const VoxelIndex seed : seeds) {
+            if (stop.stop_requested()) return;
             if (!members.test(seed)) continue;
             std::vector<CrowdVoxel> crowd = take_crowd(seed, members, object);
             measure_spread(crowd);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/skeleton/thinning_grid.h"
 
 namespace ossuary::skeleton {
@@ -9,6 +11,6 @@ namespace ossuary::skeleton {
 /// voxels (simple points with at least two neighbours) form crowds; in each, those farthest from
 /// the crowd's spatial median go first, those of lower valence among equals, one at a time. What is
 /// left has no removable voxel: every simple point is an end. Closed surfaces around cavities stay.
-void thin_to_unit_width(ThinningGrid& object);
+void thin_to_unit_width(ThinningGrid& object, const std::stop_token& stop = {});
 
 }  // namespace ossuary::skeleton

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/voxel/bit_volume.h"
+#include "engine/voxel/cast_meter.h"
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/line_projection.h"
 #include "engine/voxel/ray_columns.h"
@@ -20,12 +21,14 @@ namespace ossuary::voxel {
 /// triangle after triangle.
 class CrossingFinder {
 public:
-    CrossingFinder(const GridMesh& mesh, const LineDirection& direction)
-        : mesh_(mesh), project_(direction), only_(direction.only) {}
+    CrossingFinder(const GridMesh& mesh, const LineDirection& direction, CastMeter& meter)
+        : mesh_(mesh), project_(direction), only_(direction.only), meter_(meter) {}
 
-    /// Calls visit(u, v, depth, triangle, entering) for each crossing.
+    /// Calls visit(u, v, depth, triangle, entering) for each crossing; ends early where the meter
+    /// says so.
     template <typename Visit>
     void find(std::span<const std::uint32_t> triangles, Visit&& visit) {
+        meter_.begin_cast();
         // A few triangles work theirs out as they come.
         if (triangles.size() > mesh_.points.size() / 2) bound_points();
         while (!triangles.empty()) {
@@ -38,8 +41,8 @@ public:
                 if (only_ != nullptr && !meets_only(boxed)) continue;
                 if (boxed.width() <= 2 && boxed.height() <= 2) {
                     lines = list_lines(boxed, lines);
-                } else {
-                    visit_rows(boxed, visit);
+                } else if (!visit_rows(boxed, visit)) {
+                    return;
                 }
             }
             std::size_t crossed = 0;
@@ -48,6 +51,7 @@ public:
                 lines_[crossed] = line;
                 crossed += place_of(line, corners(line.triangle)).crosses() ? 1 : 0;
             }
+            if (!meter_.count(count, crossed)) return;
             for (std::size_t i = 0; i < crossed; ++i) {
                 const Line& line = lines_[i];
                 if (only_ != nullptr && !only_->test(line.u, line.v, 0)) continue;
@@ -138,23 +142,28 @@ private:
         return lines + more_v + (more_u & more_v);
     }
 
+    /// Returns whether to go on.
     template <typename Visit>
-    void visit_rows(const Boxed& boxed, Visit&& visit) const {
+    bool visit_rows(const Boxed& boxed, Visit&& visit) const {
         const LineCorners p = corners(boxed.triangle);
         const std::int64_t area = side_of(p.b, p.c, p.a.u, p.a.v);
-        if (area == 0) return;
+        if (area == 0) return true;
         const int u0 = boxed.bounds[0], v0 = boxed.bounds[2];
         LineRows rows(p, project_.lattice_u.position(u0), project_.lattice_v.position(v0), area);
+        std::uint64_t crossings = 0;
         rows.visit(boxed.width(), boxed.height(),
                    [&](std::int32_t du, std::int32_t dv, std::int32_t depth) {
                        if (only_ != nullptr && !only_->test(u0 + du, v0 + dv, 0)) return;
+                       ++crossings;
                        visit(u0 + du, v0 + dv, depth, boxed.triangle, area < 0);
                    });
+        return meter_.count(static_cast<std::uint64_t>(boxed.height()), crossings);
     }
 
     const GridMesh& mesh_;
     LineProjection project_;
     const BitVolume* only_;
+    CastMeter& meter_;
     std::vector<Bounds> bounds_;  ///< of each point, or empty
     std::array<Boxed, kChunk + 1> boxes_;
     std::array<Line, 4 * kChunk + 4> lines_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/voxel/distance_field.h"
@@ -22,15 +23,16 @@ class GroupColumns {
 public:
     GroupColumns(const BitVolume& volume, const DistanceField& field);
 
-    /// Calls `visit(GroupColumn)` for every column along an axis, 1 for y and 2 for z.
+    /// Calls `visit(GroupColumn)` for every column along an axis, 1 for y and 2 for z, until `stop`
+    /// is requested.
     template <typename Visit>
-    void for_each(int axis, Visit&& visit) {
+    void for_each(int axis, const std::stop_token& stop, Visit&& visit) {
         const auto a = static_cast<std::size_t>(axis - 1);
         const int length = size_[axis];
         const std::size_t words = (static_cast<std::size_t>(length) + 63) / 64;
         const int across = size_[3 - axis];
         std::size_t line = 0;
-        for (int other = 0; other < across; ++other) {
+        for (int other = 0; other < across && !stop.stop_requested(); ++other) {
             for (int group = 0; group < groups_; ++group, ++line) {
                 const std::span<const std::uint64_t> bits(set_[a].data() + line * words, words);
                 for_each_run(bits, length, false, [&](int begin, int end) {

@@ -104,7 +104,7 @@ void transform_column(const GroupColumn& groups, std::uint32_t* values, Envelope
 
 }  // namespace
 
-DistanceField distances_by_envelope(const BitVolume& volume) {
+DistanceField distances_by_envelope(const BitVolume& volume, const std::stop_token& stop) {
     DistanceField field(volume);
     if (volume.voxel_count() == 0) return field;
     transform_rows(volume, field);
@@ -113,7 +113,7 @@ DistanceField distances_by_envelope(const BitVolume& volume) {
     Envelope envelope(longest);
     std::vector<std::uint32_t> tile(kTile * longest);
     for (const int axis : {1, 2}) {
-        columns.for_each(axis, [&](const GroupColumn& column) {
+        columns.for_each(axis, stop, [&](const GroupColumn& column) {
             transform_column(column, field.values().data(), envelope, tile);
         });
     }

@@ -143,7 +143,8 @@ void scan_rows(const BitVolume& volume, const DistanceField& field,
 
 }  // namespace
 
-std::optional<DistanceField> distances_by_scan(const BitVolume& volume) {
+std::optional<DistanceField> distances_by_scan(const BitVolume& volume,
+                                               const std::stop_token& stop) {
     DistanceField field(volume);
     if (volume.voxel_count() == 0) return field;
     GroupColumns columns(volume, field);
@@ -155,11 +156,12 @@ std::optional<DistanceField> distances_by_scan(const BitVolume& volume) {
     };
     std::vector<Row> rows(longest + 2 * kStride);
     const ScanAlongY scan_y = scan_along_y();
-    columns.for_each(
-        1, [&](const GroupColumn& column) { scan_y(column, planar.data(), &rows.front().lanes); });
+    columns.for_each(1, stop, [&](const GroupColumn& column) {
+        scan_y(column, planar.data(), &rows.front().lanes);
+    });
     const ScanAlongZ scan_z = scan_along_z();
     bool far = false;
-    columns.for_each(2, [&](const GroupColumn& column) {
+    columns.for_each(2, stop, [&](const GroupColumn& column) {
         far |= scan_z(column, planar.data(), field.values().data(), &rows.front().lanes);
     });
     if (far) return std::nullopt;

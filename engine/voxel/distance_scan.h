@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "engine/voxel/distance_field.h"
 
@@ -14,6 +15,7 @@ inline constexpr int kFarthestScan = 178;
 /// could be, 16 columns at once: a step is a few vector instructions of 16-bit values, so that it
 /// pays up to distances of some hundred voxels.
 /// @return nothing where some voxel is farther than kFarthestScan: none is up to twice that a side
-std::optional<DistanceField> distances_by_scan(const BitVolume& volume);
+std::optional<DistanceField> distances_by_scan(const BitVolume& volume,
+                                               const std::stop_token& stop = {});
 
 }  // namespace ossuary::voxel

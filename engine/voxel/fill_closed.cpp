@@ -53,18 +53,18 @@ void fill_inside(std::span<const Crossing> crossings, const SurfaceParts& parts,
 }
 
 void add_missed(std::span<const Crossing> crossings, const SurfaceParts& parts, int axis,
-                const GridMesh& mesh, std::vector<Vec3i>& voxels) {
+                const GridMesh& mesh, VoxelSet& voxels) {
     for_each_stretch(crossings, parts,
                      [&](std::int32_t u, std::int32_t v, std::int32_t from, std::int32_t to) {
                          if (first_centre_from(from) < first_centre_from(to)) return;
-                         voxels.push_back(voxel_at(u, v, from + (to - from) / 2, axis, mesh));
+                         voxels.add(voxel_at(u, v, from + (to - from) / 2, axis, mesh));
                      });
 }
 
 void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles, int axis,
-                 const BitVolume& solid, std::vector<Vec3i>& voxels) {
+                 const BitVolume& solid, CastMeter& meter, VoxelSet& voxels) {
     const LineDirection& direction = kAxisDirections[static_cast<std::size_t>(axis)];
-    CrossingFinder(mesh, direction)
+    CrossingFinder(mesh, direction, meter)
         .find(triangles,
               [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t, bool) {
                   const std::int32_t behind = first_centre_from(depth);
@@ -72,7 +72,7 @@ void add_crossed(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
                       solid.test_or_false(voxel_on_line(direction, u, v, behind - 1))) {
                       return;
                   }
-                  voxels.push_back(voxel_at(u, v, depth, axis, mesh));
+                  voxels.add(voxel_at(u, v, depth, axis, mesh));
               });
 }
 

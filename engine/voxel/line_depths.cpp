@@ -1,21 +1,23 @@
 #include "engine/voxel/line_depths.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/voxel/crossing_finder.h"
 
 namespace ossuary::voxel {
 
 LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
-                       const LineDirection& direction) {
+                       const LineDirection& direction, CastMeter& meter) {
     struct Place {
         std::int16_t u, v;
         std::int32_t depth;
     };
     std::vector<Place> places;
     places.reserve(triangles.size());
-    std::int32_t u1 = 0, v1 = 0;
-    CrossingFinder(mesh, direction)
+    std::int32_t u1 = std::numeric_limits<std::int32_t>::min(), v1 = u1;
+    u0_ = v0_ = std::numeric_limits<std::int32_t>::max();
+    CrossingFinder(mesh, direction, meter)
         .find(triangles, [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t,
                              bool) {
             places.push_back({static_cast<std::int16_t>(u), static_cast<std::int16_t>(v), depth});
@@ -24,6 +26,7 @@ LineDepths::LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> tria
             u1 = std::max(u1, u);
             v1 = std::max(v1, v);
         });
+    if (places.empty() || meter.over()) return;
     width_ = static_cast<std::size_t>(u1 - u0_ + 1);
     const std::size_t lines = width_ * static_cast<std::size_t>(v1 - v0_ + 1);
     const auto line_of = [&](const Place& place) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/voxel/cast_meter.h"
 #include "engine/voxel/grid_mesh.h"
 #include "engine/voxel/ray_columns.h"
 
@@ -13,8 +14,9 @@ namespace ossuary::voxel {
 /// The depths at which lines cross triangles: cast_lines for those who need neither parts nor ways.
 class LineDepths {
 public:
+    /// Not complete where the meter says so.
     LineDepths(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
-               const LineDirection& direction);
+               const LineDirection& direction, CastMeter& meter);
 
     /// Calls visit(u, v, depths) for each line that crosses something, with its depths in order.
     template <typename Visit>

@@ -31,13 +31,13 @@ struct FlipsByPlane {
 };
 
 FlipsByPlane find_flips(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
-                        const LineDirection& direction) {
+                        const LineDirection& direction, CastMeter& meter) {
     const auto planes = static_cast<std::size_t>(mesh.size[(direction.axis + 2) % 3]);
     FlipsByPlane result;
     result.begin.assign(planes + 2, 0);  // for a while, begin[v + 2] is where plane v goes on
     std::vector<Flip> flips;
     flips.reserve(triangles.size());
-    CrossingFinder(mesh, direction)
+    CrossingFinder(mesh, direction, meter)
         .find(triangles, [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t t,
                              bool entering) {
             flips.push_back({static_cast<std::uint16_t>(u), static_cast<std::uint16_t>(v),
@@ -125,8 +125,8 @@ void mark_shared_lines(std::span<const Flip> flips, const SurfaceParts& parts,
 }  // namespace
 
 LineSubset fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> closed,
-                          const SurfaceParts& parts, BitVolume& volume) {
-    const FlipsByPlane flips = find_flips(mesh, closed, kAxisDirections[0]);
+                          const SurfaceParts& parts, CastMeter& meter, BitVolume& volume) {
+    const FlipsByPlane flips = find_flips(mesh, closed, kAxisDirections[0], meter);
     const std::size_t words = volume.words_per_row();
     const auto lines = static_cast<std::size_t>(mesh.size.y());
     std::vector<std::uint64_t> entering(words * lines, 0);
@@ -159,12 +159,13 @@ LineSubset fill_by_parity(const GridMesh& mesh, std::span<const std::uint32_t> c
     return marks.take();
 }
 
-LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int axis) {
+LineSubset find_shared_gaps(const GridMesh& mesh, const LineSubset& past, int axis,
+                            CastMeter& meter) {
     Marks marks(mesh, axis);
     if (past.triangles.empty()) return marks.take();
     LineDirection direction = kAxisDirections[static_cast<std::size_t>(axis)];
     direction.only = &past.lines;
-    const FlipsByPlane flips = find_flips(mesh, past.triangles, direction);
+    const FlipsByPlane flips = find_flips(mesh, past.triangles, direction, meter);
     const auto lines = static_cast<std::size_t>(mesh.size[(axis + 1) % 3]);
     const std::size_t words = (static_cast<std::size_t>(mesh.size[axis]) + 63) / 64;
     std::vector<std::uint64_t> crossed(words * lines);

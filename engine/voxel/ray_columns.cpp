@@ -59,9 +59,9 @@ std::vector<Crossing> sorted_by_line(const std::vector<Crossing>& crossings) {
 
 std::vector<Crossing> cast_lines(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> part_of,
-                                 const LineDirection& direction) {
+                                 const LineDirection& direction, CastMeter& meter) {
     std::vector<Crossing> crossings;
-    CrossingFinder(mesh, direction)
+    CrossingFinder(mesh, direction, meter)
         .find(triangles, [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t t,
                              bool entering) {
             crossings.push_back({u, v, depth, part_of[t] & 0x3fffffffu, entering ? 1u : 0u});

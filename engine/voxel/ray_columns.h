@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/voxel/cast_meter.h"
 #include "engine/voxel/grid_mesh.h"
 
 namespace ossuary::voxel {
@@ -58,9 +59,10 @@ inline std::int32_t first_centre_from(std::int32_t depth) {
 /// a closed surface is entered as often as it is left. Triangles seen edge-on are not crossed.
 /// @param triangles  indices into mesh.triangles
 /// @param part_of    for each triangle of the mesh
+/// Not complete where the meter says so.
 std::vector<Crossing> cast_lines(const GridMesh& mesh, std::span<const std::uint32_t> triangles,
                                  std::span<const std::uint32_t> part_of,
-                                 const LineDirection& direction);
+                                 const LineDirection& direction, CastMeter& meter);
 
 /// Calls visit(begin, end) for the crossings of each line in turn.
 template <typename Visit>

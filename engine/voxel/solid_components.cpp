@@ -87,7 +87,8 @@ void for_each_near(const BitVolume& volume, const BitVolume& own, const Vec3i& a
 /// The shortest bridge between every two components that are near enough. Component by component,
 /// with its own voxels taken away: a third of the time of a soup of 7,300 triangles went into
 /// finding out that what is near is the component itself.
-std::vector<Bridge> find_bridges(const BitVolume& volume, const Components& components, int gap) {
+std::vector<Bridge> find_bridges(const BitVolume& volume, const Components& components, int gap,
+                                 const std::stop_token& stop) {
     const ComponentOf component_of(components, volume);
     // Looking out from all but the largest component finds every pair.
     const auto largest = static_cast<std::uint32_t>(
@@ -103,6 +104,7 @@ std::vector<Bridge> find_bridges(const BitVolume& volume, const Components& comp
     for (const auto& runs : runs_of) {
         for (const VoxelRun& run : runs) set_run(own, run);
         for (const VoxelRun& run : runs) {
+            if (stop.stop_requested()) return {};
             for (int x = run.begin; x < run.end; ++x) {
                 const Vec3i a(x, run.y, run.z);
                 if (!outline.test(a)) continue;
@@ -134,12 +136,13 @@ void draw_line(const Vec3i& a, const Vec3i& b, BitVolume& volume) {
     }
 }
 
-std::size_t build_bridges(BitVolume& volume, const Components& components, int gap) {
+std::size_t build_bridges(BitVolume& volume, const Components& components, int gap,
+                          const std::stop_token& stop) {
     const ComponentOf component_of(components, volume);
     mesh::DisjointSets joined(components.count());
     std::size_t built = 0;
     std::vector<Bridge> chosen;
-    for (const Bridge& bridge : find_bridges(volume, components, gap)) {
+    for (const Bridge& bridge : find_bridges(volume, components, gap, stop)) {
         const std::uint32_t a = component_of(bridge.a);
         const std::uint32_t b = component_of(bridge.b);
         if (joined.find(a) == joined.find(b)) continue;
@@ -178,13 +181,14 @@ void drop_small(BitVolume& volume, double min_extent, JoinedComponents& result) 
 
 }  // namespace
 
-JoinedComponents join_components(BitVolume& volume, const JoinOptions& options) {
+JoinedComponents join_components(BitVolume& volume, const JoinOptions& options,
+                                 const std::stop_token& stop) {
     JoinedComponents result;
     result.remaining = count_components(volume);
     if (result.remaining < 2) return result;
     const Components components = label_components(volume, Connectivity::kVertices);
     if (options.bridge_gap > 0) {
-        result.bridged = build_bridges(volume, components, options.bridge_gap);
+        result.bridged = build_bridges(volume, components, options.bridge_gap, stop);
     }
     drop_small(volume, options.min_component_extent, result);
     return result;

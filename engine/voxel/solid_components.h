@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 #include "engine/voxel/bit_volume.h"
 
@@ -20,7 +21,8 @@ struct JoinOptions {
 
 /// Joins what is nearly one piece and drops specks: see VoxelizeOptions. Bridges are straight lines
 /// between the nearest voxels of two components, shortest first, none between components that are
-/// joined already, so that no tunnel comes of it.
-JoinedComponents join_components(BitVolume& volume, const JoinOptions& options);
+/// joined already, so that no tunnel comes of it. When stopped, the outcome is not complete.
+JoinedComponents join_components(BitVolume& volume, const JoinOptions& options,
+                                 const std::stop_token& stop = {});
 
 }  // namespace ossuary::voxel

@@ -14,9 +14,10 @@ namespace ossuary::voxel {
 namespace {
 
 /// Calls visit(Vec3i) for the voxels of places between two points that are at most `spacing` apart.
+/// Returns their number.
 template <typename Visit>
-void for_each_between(const GridMesh& mesh, std::uint32_t i, std::uint32_t k, std::int32_t spacing,
-                      Visit&& visit) {
+std::uint64_t for_each_between(const GridMesh& mesh, std::uint32_t i, std::uint32_t k,
+                               std::int32_t spacing, Visit&& visit) {
     // In a fixed direction, so that the voxels do not depend on the order of the corners.
     const bool forward = mesh.points[i] < mesh.points[k];
     const GridPoint& a = mesh.points[forward ? i : k];
@@ -40,13 +41,14 @@ void for_each_between(const GridMesh& mesh, std::uint32_t i, std::uint32_t k, st
         }
         visit(mesh.voxel_of(p));
     }
+    return static_cast<std::uint64_t>(steps);
 }
 
 /// Calls visit(Vec3i) for the voxels of the triangles' corners, and of places along their edges and
-/// along collapsed triangles that are at most `spacing` apart.
+/// along collapsed triangles that are at most `spacing` apart, until the meter says so.
 template <typename Visit>
 void for_each_edge_voxel(const GridMesh& mesh, const std::vector<std::uint32_t>& triangles,
-                         std::int32_t spacing, Visit&& visit) {
+                         std::int32_t spacing, CastMeter& meter, Visit&& visit) {
     std::vector<std::uint8_t> seen(mesh.points.size(), 0);
     const auto point = [&](std::uint32_t i) {
         if (seen[i] == 0) visit(mesh.voxel_of(mesh.points[i]));
@@ -59,9 +61,10 @@ void for_each_edge_voxel(const GridMesh& mesh, const std::vector<std::uint32_t>&
         for (std::size_t x = 0; x < 3; ++x) longest = std::max(longest, std::abs(a[x] - b[x]));
         // The other triangle at a long edge runs along it the other way.
         if (longest <= spacing || (mesh.closed && i > k && longest > kLongEdge)) return;
-        for_each_between(mesh, i, k, spacing, visit);
+        meter.count_steps(for_each_between(mesh, i, k, spacing, visit));
     };
     for (const std::uint32_t index : triangles) {
+        if (!meter.count_steps(1)) return;
         const GridMesh::Triangle& t = mesh.triangles[index];
         for (std::size_t x = 0; x < 3; ++x) {
             point(t[x]);
@@ -69,6 +72,7 @@ void for_each_edge_voxel(const GridMesh& mesh, const std::vector<std::uint32_t>&
         }
     }
     for (const auto& s : mesh.collapsed) {
+        if (!meter.count_steps(1)) return;
         point(s[0]);
         point(s[1]);
         edge(s[0], s[1]);
@@ -121,12 +125,13 @@ std::size_t peel(std::vector<Vec3i> candidates, BitVolume& volume) {
 
 }  // namespace
 
-std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
-                           const std::vector<std::uint32_t>& places, BitVolume& volume) {
+std::size_t add_thin_parts(const GridMesh& mesh, const VoxelSet& thin,
+                           const std::vector<std::uint32_t>& places, CastMeter& meter,
+                           BitVolume& volume) {
     std::vector<Vec3i> added;
-    for (const Vec3i& v : thin) {
+    thin.for_each([&](const Vec3i& v) {
         if (!volume.test(v)) added.push_back(v);
-    }
+    });
     // Peeling whatever touches the volume, thick or not, ate wings of a fraction of a voxel down to
     // a web between the few voxels that their inside had hit: a third of a tilted plate was left.
     std::vector<Vec3i> candidates;
@@ -134,30 +139,33 @@ std::size_t add_thin_parts(const GridMesh& mesh, const std::vector<Vec3i>& thin,
         if (is_near_thick_part(volume, v)) candidates.push_back(v);
     }
     for (const Vec3i& v : added) volume.set(v);
-    std::vector<Vec3i> lost;
+    VoxelSet lost(volume.size());
     // Growing takes some 3 ns a word; looking around at a triangle's corners and edges some 80.
     const bool grow = 32 * places.size() > volume.words().size();
     const BitVolume grown = grow ? dilate(volume) : BitVolume();
-    for_each_edge_voxel(mesh, places, kGridOne, [&](const Vec3i& v) {
-        if (grow ? !grown.test(v) : !is_near(volume, v)) lost.push_back(v);
+    for_each_edge_voxel(mesh, places, kGridOne, meter, [&](const Vec3i& v) {
+        if (grow ? !grown.test(v) : !is_near(volume, v)) lost.add(v);
     });
     if (!lost.empty()) {
         // Lines through the lost places, up to where they touch something.
         BitVolume around(volume.size());
-        for (const Vec3i& v : lost) around.set(v);
+        lost.for_each([&](const Vec3i& v) { around.set(v); });
         around = dilate(around);
-        std::vector<Vec3i> drawn;
-        for_each_edge_voxel(mesh, places, kGridHalf, [&](const Vec3i& v) {
-            if (around.test(v) && !volume.test(v)) drawn.push_back(v);
+        VoxelSet drawn(volume.size());
+        for_each_edge_voxel(mesh, places, kGridHalf, meter, [&](const Vec3i& v) {
+            if (around.test(v) && !volume.test(v)) drawn.add(v);
         });
-        for (const Vec3i& v : drawn) {
+        drawn.for_each([&](const Vec3i& v) {
             if (is_near(volume, v)) candidates.push_back(v);
-        }
-        for (const Vec3i& v : drawn) volume.set(v);
-        added.insert(added.end(), drawn.begin(), drawn.end());
+        });
+        drawn.for_each([&](const Vec3i& v) {
+            volume.set(v);
+            added.push_back(v);
+        });
     }
     sort_and_unite(candidates);
     sort_and_unite(added);
+    if (meter.over()) return 0;
     return added.size() - peel(std::move(candidates), volume);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/mesh/cluster_vertices.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/weld.h"
 #include "index/thumbnail/outline_mask.h"
@@ -237,12 +238,26 @@ std::vector<std::uint8_t> to_bytes(const std::vector<Pixel>& pixels,
     return bytes;
 }
 
+/// More triangles than a picture can show are clustered: a tree of rays over two million takes a
+/// second and 400 MB.
+constexpr std::size_t kMostDrawn = 500'000;
+
+/// The mesh, or its clusters, which `coarse` then holds.
+const mesh::TriangleMesh& drawable(const mesh::TriangleMesh& mesh, const ThumbnailOptions& options,
+                                   mesh::TriangleMesh& coarse) {
+    if (mesh.triangles.size() <= kMostDrawn || !options.triangle_colors.empty()) return mesh;
+    coarse = mesh::cluster_vertices(mesh, kMostDrawn);
+    return coarse.empty() ? mesh : coarse;
+}
+
 }  // namespace
 
 Result<PixelPicture> render_pixels(const mesh::TriangleMesh& mesh,
                                    const ThumbnailOptions& options) {
     if (Result<void> checked = check(mesh, options); !checked) return checked.error();
-    const mesh::WeldResult welded = mesh::weld(mesh);  // so that shading runs across a soup's seams
+    mesh::TriangleMesh coarse;
+    // So that shading runs across a soup's seams.
+    const mesh::WeldResult welded = mesh::weld(drawable(mesh, options, coarse));
     const std::vector<Vec3f> vertices = framed_vertices(welded.mesh, options);
     const Result<RayScene> scene = RayScene::build(vertices, welded.mesh.triangles);
     if (!scene) return scene.error();

@@ -70,7 +70,9 @@ TEST(CrossingFinder, FindsWhatEachLineSaysOfEachTriangle) {
                 }
             }
         }
-        CrossingFinder(mesh, direction)
+        const std::stop_token never;
+        CastMeter meter(Vec3i::Constant(128), never);
+        CrossingFinder(mesh, direction, meter)
             .find(all, [&](std::int32_t u, std::int32_t v, std::int32_t depth, std::uint32_t t,
                            bool entering) {
                 const bool added =
