@@ -23,9 +23,7 @@ void step_behind() {
 }  // namespace
 
 StatisticsUpdater::StatisticsUpdater(index::Store store, index::Searcher& searcher, Log& log)
-    : store_(std::move(store)),
-      searcher_(searcher),
-      log_(log) {
+    : store_(std::move(store)), searcher_(searcher), log_(log) {
     store_.follow_replacements();
     thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }

@@ -141,11 +141,11 @@ std::vector<bool> turned_are_at_fault(const std::vector<OrientedPatch>& patches)
     at_fault.reserve(patches.size());
     for (const OrientedPatch& patch : patches) {
         const bool most_turned = 2 * patch.turned > patch.triangles;
-        const bool inside = most_turned && patch.closed &&
-                            std::any_of(hollow.begin(), hollow.end(), [&](const Box3& box) {
-                                return box.contains(patch.bounds) &&
-                                       box.volume() > patch.bounds.volume();
-                            });
+        const bool inside =
+            most_turned && patch.closed &&
+            std::any_of(hollow.begin(), hollow.end(), [&](const Box3& box) {
+                return box.contains(patch.bounds) && box.volume() > patch.bounds.volume();
+            });
         at_fault.push_back(!most_turned || (patch.sure && !inside));
     }
     return at_fault;

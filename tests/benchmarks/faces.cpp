@@ -223,8 +223,8 @@ std::vector<ranking::ClassifiedModel> chosen(const ranking::Classification& clas
 }
 
 void print(const std::vector<Row>& rows) {
-    std::cout << fmt::format("{} models\n{:<26}{:>9}{:>9}{:>9}{:>10}{:>10}{:>8}\n", rows.size(),
-                             "", "mean", "largest", "> .02", "vertices", "largest", "warned");
+    std::cout << fmt::format("{} models\n{:<26}{:>9}{:>9}{:>9}{:>10}{:>10}{:>8}\n", rows.size(), "",
+                             "mean", "largest", "> .02", "vertices", "largest", "warned");
     for (std::size_t c = 0; c < kChanges.size(); ++c) {
         double sum = 0.0, largest = 0.0, elsewhere = 0.0, most = 0.0;
         std::size_t above = 0, warned = 0;
@@ -272,7 +272,8 @@ int main(int argc, char** argv) {
     }
     const auto collection = *data / "princeton-segmentation";
     try {
-        const auto classes = unwrap(ranking::read_classification(collection / "segmentation-all.cla"));
+        const auto classes =
+            unwrap(ranking::read_classification(collection / "segmentation-all.cla"));
         const auto models = chosen(classes, static_cast<std::size_t>(count));
         std::vector<Row> rows(models.size());
         parallel_for(models.size(), kJobs, [&](std::size_t i) {

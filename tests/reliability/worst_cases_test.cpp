@@ -1,5 +1,5 @@
-// Small versions of the worst cases (tests/support/worst_cases.h) through everything that is done to
-// a model, and stopped at random moments of it.
+// Small versions of the worst cases (tests/support/worst_cases.h) through everything that is done
+// to a model, and stopped at random moments of it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -107,7 +107,7 @@ int stop_at_many_moments(
 TEST_P(WorstCases, StopWithinASecond) {
     const std::string bytes = mesh::to_off(mesh_);
     const auto work = [&](const std::stop_token& stop) -> std::optional<ErrorCode> {
-        const auto model = index::describe_model(bytes, "model.off", {}, stop);
+        const auto model = index::describe_model({bytes, "model.off"}, {}, stop);
         if (model) return std::nullopt;
         return model.error().code;
     };
@@ -129,7 +129,7 @@ TEST_P(WorstCases, StopWithinASecondWhenCutIntoParts) {
 
 INSTANTIATE_TEST_SUITE_P(All, WorstCases,
                          testing::ValuesIn(test::worst_cases().begin(), test::worst_cases().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 

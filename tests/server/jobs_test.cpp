@@ -166,7 +166,8 @@ TEST_F(Jobs, WaitWhileTheIndexCannotBeWritten) {
     index::Store short_of_patience = open();
     ASSERT_TRUE(short_of_patience.set_busy_timeout(20));
     auto lock = std::make_unique<HeldWriteLock>(path_);
-    const server::Jobs jobs(std::move(short_of_patience), {}, log_, metrics_, sample);
+    const server::Jobs jobs(
+        std::move(short_of_patience), {}, log_, metrics_, [](bool) {}, sample);
     EXPECT_EQ((*store_.upload(1))->state, UploadState::kQueued);
     lock.reset();
     EXPECT_EQ(finished(1).state, UploadState::kDone);
@@ -175,11 +176,12 @@ TEST_F(Jobs, WaitWhileTheIndexCannotBeWritten) {
 TEST_F(Jobs, AreRefusedWhenTooManyWait) {
     server::Jobs::Limits limits;
     limits.waiting.waiting = 1;
-    server::Jobs jobs(open(), limits, log_, metrics_,
-                      [](const auto&, const auto&, auto stop) -> Result<index::NewModel> {
-                          while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
-                          return {ErrorCode::kCancelled, "stopped"};
-                      });
+    server::Jobs jobs(
+        open(), limits, log_, metrics_, [](bool) {},
+        [](const auto&, const auto&, auto stop) -> Result<index::NewModel> {
+            while (!stop.stop_requested()) std::this_thread::sleep_for(1ms);
+            return {ErrorCode::kCancelled, "stopped"};
+        });
     int taken = 0;
     while (true) {
         const auto id = jobs.add({"bytes " + std::to_string(taken), "x", ""});

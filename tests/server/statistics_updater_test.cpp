@@ -66,7 +66,7 @@ TEST_F(StatisticsUpdaterTest, MakesThoseOfAnIndexThatHasNone) {
     const fs::path fresh = folder_.path() / "fresh.ossuary";
     index::Store store = *index::Store::create_or_open(fresh, index::IndexParameters{});
     ASSERT_TRUE(
-        store.put(*index::describe_model(built_models()[0].off, "ball", store.parameters())));
+        store.put(*index::describe_model({built_models()[0].off, "ball"}, store.parameters())));
     ASSERT_LT(store.collection_state()->statistics, 0);
     index::Searcher searcher = *index::Searcher::open(fresh);
     server::StatisticsUpdater updater(*index::Store::open(fresh, index::Access::kReadWrite),

@@ -110,8 +110,7 @@ TEST(MendSurface, DoesNotDependOnWhetherFacesComeTwiceOrShareVertices) {
         const MendedSurface sound = mend_surface(mesh);
         expect_same(mend_surface(as_soup(mesh)), sound);
         TriangleMesh twice = mesh;
-        twice.triangles.insert(twice.triangles.end(), mesh.triangles.begin(),
-                               mesh.triangles.end());
+        twice.triangles.insert(twice.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
         const std::size_t count = mesh.triangles.size();
         for (const TriangleMesh& copy :
              {twice, as_soup(twice),
