@@ -43,11 +43,13 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
                                   description->warnings.end());
     model.descriptor = std::move(description->descriptor);
     model.skeleton = std::move(description->skeleton);
-    const mesh::TriangleMesh coarse = mesh::decimate(mesh, {.max_triangles = kPreviewTriangles});
+    const mesh::TriangleMesh& body = description->body.of(mesh);
+    const mesh::TriangleMesh coarse =
+        mesh::decimate(body, {.max_triangles = kPreviewTriangles}, stop);
     model.preview = make_preview(coarse);
     if (stop.stop_requested()) return describing_cancelled(source.name);
     model.summary.orientation = {source.up ? *source.up : find_up(coarse), source.up.has_value()};
-    auto thumbnail = render_thumbnail(mesh, thumbnail_options(model.summary.orientation.up));
+    auto thumbnail = render_thumbnail(body, thumbnail_options(model.summary.orientation.up), stop);
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);
     } else {

@@ -176,6 +176,7 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
     }
     result.query_skeleton =
         with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
+    result.query_body = std::move(description->body);
     result.took_ms = total.elapsed_ms();
     return result;
 }

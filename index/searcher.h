@@ -10,6 +10,7 @@
 #include "engine/core/result.h"
 #include "engine/core/stopwatch.h"
 #include "engine/matching/match.h"
+#include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/ranking/ranker.h"
 #include "index/model.h"
@@ -40,6 +41,7 @@ struct SearchResult {
     double took_ms = 0.0;
     StageTimes stages_ms;
     StoredSkeleton query_skeleton;  ///< model units
+    mesh::Body query_body;          ///< what of the mesh was looked for; of an indexed model, empty
     std::vector<mesh::MeshWarning> warnings;
     std::vector<Hit> hits;   ///< nearest first; equal distances in the order of ids
     std::size_t models = 0;  ///< compared with

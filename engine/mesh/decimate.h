@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 
 #include "engine/mesh/triangle_mesh.h"
 
@@ -12,9 +13,12 @@ struct DecimateOptions {
 
 /// A preview of a model with at most `max_triangles` triangles and no unused vertex; deterministic.
 /// Coincident vertices are welded and triangles without corners of their own dropped first; then
-/// edges are collapsed by quadric error, and where that cannot reach the bound (soups of many small
-/// pieces), vertices are clustered. Triangles may be turned over so that neighbours agree.
-/// `face_of_triangle` of the result numbers its own triangles.
-TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options = {});
+/// edges are collapsed by quadric error (Garland and Heckbert, Surface Simplification Using Quadric
+/// Error Metrics, 1997), and where that cannot reach the bound (soups of many small pieces),
+/// vertices are clustered. Triangles may be turned over so that neighbours agree.
+/// `face_of_triangle` of the result numbers its own triangles. Takes some tenths of a second for a
+/// million triangles. Once `stop` is requested the result may be finer than asked for.
+TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options = {},
+                      const std::stop_token& stop = {});
 
 }  // namespace ossuary::mesh

@@ -60,6 +60,8 @@ Result<void> check(const mesh::TriangleMesh& mesh, const ThumbnailOptions& optio
     return {};
 }
 
+Error cancelled() { return {ErrorCode::kCancelled, "drawing was cancelled"}; }
+
 /// The vertices as they fall into the picture: in pixels, x to the right and y downwards from the
 /// upper left corner, z towards the viewer.
 std::vector<Vec3f> framed_vertices(const mesh::TriangleMesh& mesh,
@@ -118,12 +120,19 @@ public:
         nearest_ += 1.0f;
     }
 
-    std::vector<Pixel> paint() {
-        paint_centers();
+    /// Once `stop` is requested, the picture is not finished.
+    std::vector<Pixel> paint(const std::stop_token& stop) {
+        paint_centers(stop);
         std::vector<std::uint8_t> refine = outline_mask(mesh_, vertices_, options_.size);
         mark_differences(refine);
+        // Where most of the picture is edges, a thicket, few rays show it as well as many.
+        const auto marked = std::count(refine.begin(), refine.end(), std::uint8_t{1});
+        const bool thicket = 2 * static_cast<std::size_t>(marked) > pixels_.size();
+        const int samples =
+            thicket ? std::min(options_.samples_per_side, 2) : options_.samples_per_side;
         for (std::size_t p = 0; p < pixels_.size(); ++p) {
-            if (refine[p] != 0) refine_pixel(p);
+            if (stop.stop_requested()) break;
+            if (refine[p] != 0) refine_pixel(p, samples);
         }
         return std::move(pixels_);
     }
@@ -133,12 +142,12 @@ private:
         return triangle_colors_.empty() ? color_ : triangle_colors_[hit.triangle];
     }
 
-    void paint_centers() {
+    void paint_centers(const std::stop_token& stop) {
         const int size = options_.size;
         std::vector<Vec3f> origins(static_cast<std::size_t>(size));
         std::vector<RayHit> hits(origins.size());
         std::size_t p = 0;
-        for (int row = 0; row < size; ++row) {
+        for (int row = 0; row < size && !stop.stop_requested(); ++row) {
             for (int i = 0; i < size; ++i) {
                 origins[std::size_t(i)] = {float(i) + 0.5f, float(row) + 0.5f, nearest_};
             }
@@ -174,8 +183,8 @@ private:
         }
     }
 
-    void refine_pixel(std::size_t p) {
-        const int side = options_.samples_per_side;
+    /// @param side  rays along each side
+    void refine_pixel(std::size_t p, int side) {
         const auto samples = static_cast<std::size_t>(side * side);
         origins_.resize(samples);
         hits_.resize(samples);
@@ -252,22 +261,25 @@ const mesh::TriangleMesh& drawable(const mesh::TriangleMesh& mesh, const Thumbna
 
 }  // namespace
 
-Result<PixelPicture> render_pixels(const mesh::TriangleMesh& mesh,
-                                   const ThumbnailOptions& options) {
+Result<PixelPicture> render_pixels(const mesh::TriangleMesh& mesh, const ThumbnailOptions& options,
+                                   const std::stop_token& stop) {
     if (Result<void> checked = check(mesh, options); !checked) return checked.error();
     mesh::TriangleMesh coarse;
     // So that shading runs across a soup's seams.
     const mesh::WeldResult welded = mesh::weld(drawable(mesh, options, coarse));
     const std::vector<Vec3f> vertices = framed_vertices(welded.mesh, options);
+    if (stop.stop_requested()) return cancelled();
     const Result<RayScene> scene = RayScene::build(vertices, welded.mesh.triangles);
     if (!scene) return scene.error();
-    const std::vector<Pixel> pixels = Painter(welded, vertices, *scene, options).paint();
+    const std::vector<Pixel> pixels = Painter(welded, vertices, *scene, options).paint(stop);
+    if (stop.stop_requested()) return cancelled();
     return PixelPicture{options.size, options.background ? 3 : 4, to_bytes(pixels, options)};
 }
 
 Result<std::vector<std::uint8_t>> render_thumbnail(const mesh::TriangleMesh& mesh,
-                                                   const ThumbnailOptions& options) {
-    const Result<PixelPicture> picture = render_pixels(mesh, options);
+                                                   const ThumbnailOptions& options,
+                                                   const std::stop_token& stop) {
+    const Result<PixelPicture> picture = render_pixels(mesh, options, stop);
     if (!picture) return picture.error();
     return png_bytes(picture->bytes, picture->size, picture->size, picture->channels);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/result.h"
@@ -34,14 +35,16 @@ struct PixelPicture {
 
 /// As render_thumbnail, but as pixels.
 Result<PixelPicture> render_pixels(const mesh::TriangleMesh& mesh,
-                                   const ThumbnailOptions& options = {});
+                                   const ThumbnailOptions& options = {},
+                                   const std::stop_token& stop = {});
 
 /// Draws a model from three quarters, framed to fill the picture, as a PNG file's bytes (RGBA, or
 /// RGB with a background). Surfaces are lit from both sides, so that soups with facets turned over
 /// look whole; facets that meet at less than 45 degrees are shaded as one curved surface. The same
 /// mesh gives the same bytes on the same machine. Runs on the calling thread.
-/// Errors: mesh_empty, mesh_no_extent, invalid_argument, out_of_memory.
+/// Errors: mesh_empty, mesh_no_extent, invalid_argument, out_of_memory, cancelled.
 Result<std::vector<std::uint8_t>> render_thumbnail(const mesh::TriangleMesh& mesh,
-                                                   const ThumbnailOptions& options = {});
+                                                   const ThumbnailOptions& options = {},
+                                                   const std::stop_token& stop = {});
 
 }  // namespace ossuary::index

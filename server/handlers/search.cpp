@@ -3,7 +3,9 @@
 
 #include "engine/core/stopwatch.h"
 #include "engine/mesh/decimate.h"
+#include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
+#include "index/describe_model.h"
 #include "index/presentation.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
@@ -27,20 +29,9 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     return parameters;
 }
 
-nlohmann::json preview_of(const mesh::TriangleMesh& mesh) {
-    const mesh::TriangleMesh coarse = mesh::decimate(mesh);
-    index::PreviewMesh preview;
-    Box3 bounds;
-    for (const Vec3& vertex : mesh.vertices) bounds.extend(vertex);
-    for (const Vec3& vertex : coarse.vertices) {
-        for (int axis = 0; axis < 3; ++axis) {
-            preview.positions.push_back(static_cast<float>(vertex[axis]));
-        }
-    }
-    for (const auto& triangle : coarse.triangles) {
-        preview.triangles.insert(preview.triangles.end(), triangle.begin(), triangle.end());
-    }
-    return index::to_json(preview, bounds);
+nlohmann::json preview_of(const mesh::TriangleMesh& mesh, const std::stop_token& stop) {
+    const mesh::TriangleMesh coarse = mesh::decimate(mesh, {}, stop);
+    return index::to_json(index::make_preview(coarse), mesh::measure(mesh).bounds);
 }
 
 }  // namespace
@@ -75,7 +66,9 @@ Checked<Response> search(Service& service, const Request& request) {
     auto json =
         index::to_json(*result, {upload->name, query->mesh.vertices.size(), query->mesh.face_count},
                        parameters.options.rank);
-    if (parameters.with_mesh) json["query"]["mesh"] = preview_of(query->mesh);
+    if (parameters.with_mesh) {
+        json["query"]["mesh"] = preview_of(result->query_body.of(query->mesh), request.stop);
+    }
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
     return response;

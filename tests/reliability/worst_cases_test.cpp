@@ -88,7 +88,7 @@ int stop_at_many_moments(
     Seconds whole, const std::function<std::optional<ErrorCode>(const std::stop_token&)>& work) {
     // What is promised of models of any size; small ones take a hundredth of it on an idle machine.
     constexpr Seconds kSoon(1.0);
-    constexpr int kMoments = 12;
+    constexpr int kMoments = 8;
     std::mt19937_64 random(1);
     int cancelled = 0;
     for (int i = 0; i < kMoments; ++i) {

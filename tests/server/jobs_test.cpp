@@ -29,7 +29,8 @@ protected:
         server::Jobs::Limits limits;
         limits.model_timeout_seconds = model_timeout_seconds;
         return std::make_unique<server::Jobs>(
-            open(), limits, log_, metrics_, [](bool) {}, std::move(describe));
+            open(), limits, log_, metrics_, [this](bool removed) { changes_.push_back(removed); },
+            std::move(describe));
     }
     static index::UploadId add(server::Jobs& jobs, const std::string& name) {
         const auto id = jobs.add({name + " bytes", name, ""});
@@ -60,17 +61,20 @@ protected:
     fs::path path_ = folder_.path() / "x.index";
     server::Log log_{{.level = "off", .json = false}};
     server::Metrics metrics_;
+    std::vector<bool> changes_;
     index::Store store_ = open();
 };
 
 TEST_F(Jobs, AreDoneInTheirOrder) {
-    const auto jobs = start(sample);
+    auto jobs = start(sample);
     const auto first = add(*jobs, "a");
     const auto second = add(*jobs, "b");
     EXPECT_EQ(finished(second).state, UploadState::kDone);
     EXPECT_LT(finished(first).model, finished(second).model);
     EXPECT_EQ(store_.model(finished(second).model)->name, "b");
-    EXPECT_GE(store_.collection_state()->statistics, 0) << "made where there were none";
+    EXPECT_TRUE(jobs->remove(finished(first).model));
+    jobs.reset();
+    EXPECT_EQ(changes_, (std::vector<bool>{false, false, true})) << "each was told, and which kind";
 }
 
 TEST_F(Jobs, SurviveWhateverDescribingThrows) {

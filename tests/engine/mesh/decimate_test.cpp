@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/mesh/cluster_vertices.h"
 #include "engine/mesh/inspect.h"
 #include "engine/mesh/measures.h"
@@ -91,6 +94,22 @@ TEST(Decimate, GivesTheSameBytesTwice) {
     const mesh::TriangleMesh b = mesh::decimate(mesh, options);
     EXPECT_EQ(a.vertices, b.vertices);
     EXPECT_EQ(a.triangles, b.triangles);
+}
+
+TEST(Decimate, TakesAFanOfManyTriangles) {
+    // Ten thousand slivers around one vertex, which a walk around each vertex would visit squared.
+    mesh::TriangleMesh fan;
+    fan.vertices.emplace_back(0, 0, 0);
+    constexpr std::uint32_t kSlivers = 10'000;
+    for (std::uint32_t i = 0; i < kSlivers; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kSlivers;
+        fan.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.1);
+        fan.triangles.push_back({0, i + 1, (i + 1) % kSlivers + 1});
+    }
+    const mesh::TriangleMesh coarse = mesh::decimate(with_faces(fan), {.max_triangles = 500});
+    EXPECT_LE(coarse.triangles.size(), 500u);
+    expect_sound(coarse);
+    EXPECT_NEAR(mesh::measure(coarse).surface_area, mesh::measure(fan).surface_area, 0.01);
 }
 
 TEST(ClusterVertices, NeverLeavesMoreThanAskedFor) {

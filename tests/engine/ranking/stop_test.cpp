@@ -57,7 +57,7 @@ class Stop : public ::testing::Test {
 protected:
     static void SetUpTestSuite() {
         models_ = new std::vector<ModelDescriptor>;
-        for (std::uint64_t seed = 1; seed <= 3; ++seed) models_->push_back(sea_urchin(450, seed));
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) models_->push_back(sea_urchin(700, seed));
     }
     static void TearDownTestSuite() {
         delete models_;
@@ -72,7 +72,7 @@ protected:
         std::stop_source source;
         Clock::time_point asked;
         std::thread asker([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
             asked = Clock::now();
             source.request_stop();
         });
