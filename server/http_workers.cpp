@@ -9,7 +9,8 @@ constexpr std::size_t kMostUrgent = 64;
 
 }  // namespace
 
-HttpWorkers::HttpWorkers(int threads, std::size_t max_waiting) : max_waiting_(max_waiting) {
+HttpWorkers::HttpWorkers(int threads, std::size_t max_waiting)
+    : max_waiting_(max_waiting), idle_(static_cast<std::size_t>(threads)) {
     for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(false); });
     threads_.emplace_back([this] { work(true); });
 }
@@ -49,17 +50,17 @@ void HttpWorkers::work(bool urgent_alone) {
     std::unique_lock lock(mutex_);
     while (true) {
         if (const Task task = next(urgent_alone)) {
+            if (!urgent_alone) --idle_;
             lock.unlock();
             task();
             lock.lock();
+            if (!urgent_alone) ++idle_;
         } else if (ending_) {
             return;
         } else if (urgent_alone) {
             urgent_added_.wait(lock);
         } else {
-            ++idle_;
             added_.wait(lock);
-            --idle_;
         }
     }
 }

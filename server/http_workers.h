@@ -36,7 +36,7 @@ private:
     std::condition_variable urgent_added_;  ///< for the one that takes urgent ones alone
     std::deque<Task> urgent_;
     std::deque<Task> waiting_;
-    std::size_t idle_ = 0;  ///< threads that take anything
+    std::size_t idle_;  ///< threads that take anything and have no task, started or not
     bool ending_ = false;
     std::vector<std::jthread> threads_;  ///< last, so that they end first
 };
