@@ -152,9 +152,10 @@ skeleton::SkeletonizeOptions decomposition_skeleton_options() {
 }
 
 Result<SurfaceAndSkeleton> surface_and_skeleton(mesh::MendedSurface surface,
-                                                const skeleton::SkeletonizeOptions& options,
+                                                const DecomposeOptions& options,
                                                 std::stop_token stop) {
-    Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(surface.mesh, options, stop);
+    Result<skeleton::Skeleton> skeleton =
+        skeleton::skeletonize(surface.mesh, options.skeletonize, stop);
     if (!skeleton) return skeleton.error();
     SurfaceAndSkeleton model;
     model.mended = std::move(surface);
@@ -164,14 +165,14 @@ Result<SurfaceAndSkeleton> surface_and_skeleton(mesh::MendedSurface surface,
     model.refined =
         skeleton::to_world(model.skeleton.refined, model.skeleton.solid.world_from_grid);
     face_outwards(model.mended, model.refined);
-    model.surface = surface_graph(model.mended.mesh);
+    model.surface = surface_graph(model.mended.mesh, options.parts > 0);
     model.stage_times.push_back({"surface", watch.lap_ms()});
     return model;
 }
 
 Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
                                         const DecomposeOptions& options, std::stop_token stop) {
-    auto model = surface_and_skeleton(std::move(surface), options.skeletonize, stop);
+    auto model = surface_and_skeleton(std::move(surface), options, stop);
     if (!model) return model.error();
     const std::size_t faces = count_faces(model->surface);
     if (options.parts > faces) return too_many_parts(options.parts, faces);
@@ -210,7 +211,7 @@ Result<Decomposition> decompose(mesh::MendedSurface surface, const DecomposeOpti
             return Error{ErrorCode::kInvalidArgument,
                          "parts: the thesis' method makes one of each branch of the skeleton"};
         }
-        auto model = surface_and_skeleton(std::move(surface), options.skeletonize, stop);
+        auto model = surface_and_skeleton(std::move(surface), options, stop);
         if (!model) return model.error();
         Decomposition result = begin_decomposition(*model);
         Labels labels = label_by_branch(*model, options, stop, result);

@@ -68,7 +68,7 @@ struct SurfaceAndSkeleton {
 /// Open patches of the surface are turned to face away from the skeleton (face_outwards.h).
 /// Errors: those of skeletonize.
 Result<SurfaceAndSkeleton> surface_and_skeleton(mesh::MendedSurface surface,
-                                                const skeleton::SkeletonizeOptions& options,
+                                                const DecomposeOptions& options,
                                                 std::stop_token stop = {});
 
 /// The same with its patches and all that was measured of them: what decompose decides by.
@@ -86,8 +86,9 @@ Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
 /// skeleton (affinity.h), merged where that makes the expected Rand index largest
 /// (merge_patches.h), and the borders laid into the creases (refine_borders.h). All this looks at
 /// the mended surface (mend_surface.h), so that it makes no difference how the faces lie; every
-/// triangle of the mesh gets the part of the one that stands for it there. No part runs through a
-/// face. Parts are connected, but for small pieces of a soup, and numbered by descending area.
+/// triangle of the mesh gets the part of the one that stands for it there. Where
+/// a number of parts is asked for, none runs through a face, so that each has faces of its own.
+/// Parts are connected, but for small pieces of a soup, and numbered by descending area.
 /// Deterministic. `method` may ask for the thesis' algorithm instead, whose parts need not be
 /// connected.
 /// Warnings: those of voxelize and of mending.

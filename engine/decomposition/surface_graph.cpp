@@ -14,10 +14,11 @@ namespace {
 /// Below this height, in parts of the square root of the area, a triangle's normal is noise.
 constexpr double kSliver = 1e-4;
 
-std::vector<std::uint32_t> first_triangles_of_faces(const mesh::TriangleMesh& mesh) {
+std::vector<std::uint32_t> first_triangles_of_faces(const mesh::TriangleMesh& mesh,
+                                                    bool whole_faces) {
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     std::vector<std::uint32_t> first(mesh.triangles.size());
-    const bool mapped = mesh.face_of_triangle.size() == first.size();
+    const bool mapped = whole_faces && mesh.face_of_triangle.size() == first.size();
     std::vector<std::uint32_t> first_of(mapped ? mesh.face_count : 0, kNone);
     for (std::uint32_t t = 0; t < first.size(); ++t) {
         first[t] = t;
@@ -28,6 +29,7 @@ std::vector<std::uint32_t> first_triangles_of_faces(const mesh::TriangleMesh& me
     }
     return first;
 }
+
 double height_of(const SurfaceGraph& graph, std::size_t t) {
     const auto& sides = graph.side_lengths[t];
     const auto longest = static_cast<double>(*std::max_element(sides.begin(), sides.end()));
@@ -83,7 +85,7 @@ void measure_turns(SurfaceGraph& graph) {
 
 }  // namespace
 
-SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh) {
+SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh, bool whole_faces) {
     SurfaceGraph graph;
     graph.across = mesh::adjacent_triangles(mesh, mesh::build_edge_table(mesh));
     graph.normals = mesh::triangle_normals(mesh);
@@ -95,7 +97,7 @@ SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh) {
         graph.centers.emplace_back((a + b + c) / 3.0);
         graph.total_area += graph.areas[t];
     }
-    graph.first_of_face = first_triangles_of_faces(mesh);
+    graph.first_of_face = first_triangles_of_faces(mesh, whole_faces);
     graph.side_lengths.resize(count);
     for (std::size_t t = 0; t < count; ++t) {
         const auto corners = mesh.corners(t);

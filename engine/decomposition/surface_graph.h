@@ -21,7 +21,8 @@ struct SurfaceGraph {
     /// negative where it is convex, in [-2, 2].
     std::vector<std::array<float, 3>> turns;
     std::vector<std::array<float, 3>> side_lengths;  ///< model units
-    /// Of each triangle the first one that was cut from the same face of the file.
+    /// Of each triangle the first one that it may not be parted from: of the same face of the file,
+    /// or itself.
     std::vector<std::uint32_t> first_of_face;
     double total_area = 0.0;
 
@@ -30,7 +31,8 @@ struct SurfaceGraph {
 
 /// @param mesh  vertices told apart by index, and facing outwards: mend it first (mend_surface.h);
 ///     without `face_of_triangle` each triangle is a face
-SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh);
+/// @param whole_faces  whether triangles that were cut from one face belong together
+SurfaceGraph surface_graph(const mesh::TriangleMesh& mesh, bool whole_faces = false);
 
 /// The pieces of the graph, numbered by their first triangle.
 struct SurfacePieces {

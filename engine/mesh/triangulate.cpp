@@ -28,8 +28,15 @@ void PolygonTriangulator::append(std::span<const std::uint32_t> polygon,
         clip_ears(polygon, triangles);
         return;
     }
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+    const std::size_t count = polygon.size();
+    const auto least = std::min_element(polygon.begin(), polygon.end()) - polygon.begin();
+    const auto corner = [&](std::size_t i) {
+        return polygon[(static_cast<std::size_t>(least) + i) % count];
+    };
+    const bool forwards = corner(1) < corner(count - 1);
+    for (std::size_t step = 2; step < count; ++step) {
+        const std::size_t i = forwards ? step : count + 1 - step;
+        triangles.push_back({corner(0), corner(i - 1), corner(i)});
     }
 }
 

@@ -10,11 +10,12 @@ namespace ossuary::mesh {
 
 /// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
 ///
-/// Convex polygons become a fan around their first corner, others are cut by ear clipping in the
-/// plane of their area normal (Newell's), so that a simple planar polygon is covered exactly. A
-/// polygon of n corners always gives n - 2 triangles that use its corners only and keep its
-/// orientation; where it is not simple (self-crossing, folded, without area) the rest that has no
-/// ear left becomes a fan.
+/// Convex polygons become a fan around the corner of the least index, in an order that follows from
+/// the indices, so that the triangles are the same whichever corner a file begins with and
+/// whichever way round it goes. Others are cut by ear clipping in the plane of their area normal
+/// (Newell's), so that a simple planar polygon is covered exactly. A polygon of n corners always
+/// gives n - 2 triangles that use its corners only and keep its orientation; where it is not simple
+/// (self-crossing, folded, without area) the rest that has no ear left becomes a fan.
 class PolygonTriangulator {
 public:
     /// `max_work` bounds the steps (corners visited, points tested) over the lifetime of the

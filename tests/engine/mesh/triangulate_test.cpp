@@ -84,6 +84,30 @@ TEST(Triangulate, KeepsTheOrientationOfReversedPolygons) {
     EXPECT_NEAR((cut(outline).signed_area + forward).norm(), 0.0, 1e-12);
 }
 
+TEST(Triangulate, CutsConvexPolygonsTheSameWayWhereverTheyBeginAndWhicheverWayTheyGo) {
+    std::vector<Vec3> outline;
+    for (int i = 0; i < 7; ++i) {
+        outline.emplace_back(std::cos(2 * std::numbers::pi * i / 7),
+                             std::sin(2 * std::numbers::pi * i / 7), 0.0);
+    }
+    std::vector<std::uint32_t> polygon = {3, 6, 0, 5, 1, 4, 2};  // names of the corners in turn
+    std::vector<Vec3> vertices(7);
+    for (std::size_t i = 0; i < 7; ++i) vertices[polygon[i]] = outline[i];
+    const auto triangles_of = [&](const std::vector<std::uint32_t>& corners) {
+        std::vector<mesh::TriangleMesh::Triangle> triangles;
+        mesh::PolygonTriangulator().append(corners, vertices, triangles);
+        return triangles;
+    };
+    const auto expected = triangles_of(polygon);
+    std::vector<mesh::TriangleMesh::Triangle> turned_over = expected;
+    for (auto& triangle : turned_over) std::swap(triangle[1], triangle[2]);
+    for (int begin = 0; begin < 7; ++begin) {
+        std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
+        EXPECT_EQ(triangles_of(polygon), expected);
+        EXPECT_EQ(triangles_of({polygon.rbegin(), polygon.rend()}), turned_over);
+    }
+}
+
 TEST(Triangulate, GivesNoTriangleWithoutAreaToAPolygonWithStraightCorners) {
     std::vector<Vec3> outline;
     for (int i = 0; i < 5; ++i) outline.emplace_back(i, 0, 0);
