@@ -11,6 +11,7 @@
 #include "engine/decomposition/merge_patches.h"
 #include "engine/decomposition/prevailing_labels.h"
 #include "engine/decomposition/refine_borders.h"
+#include "engine/decomposition/small_parts.h"
 #include "engine/decomposition/whole_faces.h"
 #include "engine/mesh/edge_table.h"
 #include "engine/mesh/measures.h"
@@ -101,6 +102,7 @@ Labels label_by_evidence(const MeasuredPatches& patches, std::size_t parts,
     }
     times.push_back({"merge", watch.lap_ms()});
     refine_borders(patches.surface, labels.part_of_triangle, {}, stop);
+    if (parts == 0) join_small_parts(patches.surface, labels.part_of_triangle);
     times.push_back({"borders", watch.lap_ms()});
     return labels;
 }

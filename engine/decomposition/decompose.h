@@ -84,7 +84,8 @@ Result<MeasuredPatches> measure_patches(mesh::MendedSurface surface,
 /// Cuts a surface into the parts that people would see: small patches are told apart or put
 /// together by thickness, concave creases, ways along the surface, through the solid and along the
 /// skeleton (affinity.h), merged where that makes the expected Rand index largest
-/// (merge_patches.h), and the borders laid into the creases (refine_borders.h). All this looks at
+/// (merge_patches.h), and the borders laid into the creases (refine_borders.h); what
+/// remains too small is joined (small_parts.h). All this looks at
 /// the mended surface (mend_surface.h), so that it makes no difference how the faces lie; every
 /// triangle of the mesh gets the part of the one that stands for it there. Where
 /// a number of parts is asked for, none runs through a face, so that each has faces of its own.

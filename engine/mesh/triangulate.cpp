@@ -29,9 +29,9 @@ void PolygonTriangulator::append(std::span<const std::uint32_t> polygon,
         return;
     }
     const std::size_t count = polygon.size();
-    const auto least = std::min_element(polygon.begin(), polygon.end()) - polygon.begin();
+    const auto greatest = std::max_element(polygon.begin(), polygon.end()) - polygon.begin();
     const auto corner = [&](std::size_t i) {
-        return polygon[(static_cast<std::size_t>(least) + i) % count];
+        return polygon[(static_cast<std::size_t>(greatest) + i) % count];
     };
     const bool forwards = corner(1) < corner(count - 1);
     for (std::size_t step = 2; step < count; ++step) {

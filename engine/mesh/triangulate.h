@@ -10,8 +10,8 @@ namespace ossuary::mesh {
 
 /// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
 ///
-/// Convex polygons become a fan around the corner of the least index, in an order that follows from
-/// the indices, so that the triangles are the same whichever corner a file begins with and
+/// Convex polygons become a fan around the corner of the greatest index, in an order that follows
+/// from the indices, so that the triangles are the same whichever corner a file begins with and
 /// whichever way round it goes. Others are cut by ear clipping in the plane of their area normal
 /// (Newell's), so that a simple planar polygon is covered exactly. A polygon of n corners always
 /// gives n - 2 triangles that use its corners only and keep its orientation; where it is not simple
