@@ -6,21 +6,11 @@
 namespace ossuary::mesh {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-Error at_line(const OffScanner& scanner, ErrorCode code, const std::string& text) {
+Error at_line(const TextScanner& scanner, ErrorCode code, const std::string& text) {
     return {code, "line " + std::to_string(scanner.line()) + ": " + text};
 }
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether a text is a word in capitals, written in any case.
-bool spells(std::string_view text, std::string_view capitals) {
-    return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
-                      [](char c, char capital) {
-                          return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
-                      });
-}
 
 /// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.
 struct HeaderWord {
@@ -70,7 +60,7 @@ bool may_follow_word(std::string_view glued) {
 }
 
 /// Reads the header word; false in `has_word` where the file starts with its counts.
-Result<OffHeader> read_word(OffScanner& scanner) {
+Result<OffHeader> read_word(TextScanner& scanner) {
     const std::string_view token = scanner.peek_token();
     if (is_decimal_digit(token[0]) &&
         token.find_first_not_of("0123456789") == std::string_view::npos) {
@@ -108,7 +98,7 @@ Result<OffHeader> read_word(OffScanner& scanner) {
     return word.header;
 }
 
-Result<std::uint64_t> read_one_count(OffScanner& scanner, std::string_view what) {
+Result<std::uint64_t> read_one_count(TextScanner& scanner, std::string_view what) {
     const std::string expected = "expected the number of " + std::string(what) + ", found ";
     if (!scanner.find_token()) {
         return at_line(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
@@ -133,8 +123,8 @@ bool is_integer(std::string_view token) {
 
 /// The number of edges is never used, may be wrong, and is missing in some files: it is there if an
 /// integer follows on the line of the counts, or stands alone on the next line with content.
-Result<bool> skip_edge_count(OffScanner& scanner) {
-    OffScanner ahead = scanner;
+Result<bool> skip_edge_count(TextScanner& scanner) {
+    TextScanner ahead = scanner;
     const bool same_line = !ahead.at_line_end();
     if (!ahead.find_token()) return false;
     const std::string_view token = ahead.peek_token();
@@ -151,10 +141,8 @@ Result<bool> skip_edge_count(OffScanner& scanner) {
 
 }  // namespace
 
-Result<OffHeader> read_off_header(OffScanner& scanner) {
-    if (scanner.peek_token().substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-        scanner.advance(kByteOrderMark.size());
-    }
+Result<OffHeader> read_off_header(TextScanner& scanner) {
+    scanner.skip_byte_order_mark();
     if (!scanner.find_token()) {
         return at_line(scanner, ErrorCode::kOffHeader,
                        "expected the header word OFF, found the end of the file");
@@ -176,10 +164,8 @@ Result<OffHeader> read_off_header(OffScanner& scanner) {
 }
 
 bool looks_like_off(std::string_view text) {
-    OffScanner scanner(text);
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-        scanner.advance(kByteOrderMark.size());
-    }
+    TextScanner scanner(text);
+    scanner.skip_byte_order_mark();
     if (!scanner.find_token()) return false;
     const std::string_view token = scanner.peek_token();
     const HeaderWord word = split_header_word(token);

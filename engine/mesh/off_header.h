@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "engine/core/result.h"
-#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
 
@@ -21,7 +21,7 @@ struct OffHeader {
 
 /// Reads the header word and the counts, and leaves the scanner behind them. Messages do not name
 /// the file. Errors: off_header, off_binary, off_dimension, off_counts.
-Result<OffHeader> read_off_header(OffScanner& scanner);
+Result<OffHeader> read_off_header(TextScanner& scanner);
 
 /// True for text whose first token looks like the header word of an OFF file, or which starts with
 /// a line of three counts.

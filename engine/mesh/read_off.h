@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string_view>
 
 #include "engine/core/result.h"
@@ -21,7 +22,7 @@ namespace ossuary::mesh {
 /// for NUL bytes); off_dimension (4OFF, nOFF other than 3); off_counts; off_too_many_vertices,
 /// off_too_many_faces, off_too_many_corners (over the caps, before anything is allocated);
 /// off_truncated (the file or a line ends early); off_bad_number; off_non_finite (nan, inf,
-/// or beyond doubles); mesh_scale (beyond `max_coordinate`); off_index_out_of_range.
+/// or beyond doubles); mesh_scale (beyond `max_coordinate`); off_index_out_of_range; cancelled.
 ///
 /// Warnings: header_missing, edge_count_missing, unannounced_vertex_values, free_form_lines,
 /// faces_under_three_corners, polygons_without_ears, trailing_text. What is odd about the surface
@@ -29,6 +30,7 @@ namespace ossuary::mesh {
 ///
 /// Memory: never more than a small multiple of the text, whatever the counts say.
 Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
-                                const ReadMeshOptions& options = {});
+                                const ReadMeshOptions& options = {},
+                                const std::stop_token& stop = {});
 
 }  // namespace ossuary::mesh

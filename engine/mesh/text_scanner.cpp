@@ -1,14 +1,22 @@
-#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/text_scanner.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ossuary::mesh {
 
-NumberStatus OffScanner::count_failure() const {
+NumberStatus TextScanner::count_failure() const {
     const std::string_view token = peek_token();
     if (token.size() < 2 || token[0] != '-') return NumberStatus::kNotANumber;
     const bool digits_only = token.find_first_not_of("0123456789", 1) == std::string_view::npos;
     return digits_only ? NumberStatus::kNegative : NumberStatus::kNotANumber;
+}
+
+bool spells(std::string_view text, std::string_view capitals) {
+    return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
+                      [](char c, char capital) {
+                          return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
+                      });
 }
 
 std::string quoted_token(std::string_view token) {

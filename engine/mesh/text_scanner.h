@@ -10,16 +10,24 @@
 
 namespace ossuary::mesh {
 
-/// Walks through the text of an OFF file and counts its lines. Lines end with LF, CR LF or a lone
+/// Walks through the text of a model file and counts its lines. Lines end with LF, CR LF or a lone
 /// CR; `#` starts a comment that lasts to the end of its line.
-class OffScanner {
+class TextScanner {
 public:
-    explicit OffScanner(std::string_view text)
+    explicit TextScanner(std::string_view text)
         : position_(text.data()), end_(text.data() + text.size()) {}
 
     [[nodiscard]] std::size_t line() const { return line_; }
     [[nodiscard]] std::size_t bytes_left() const {
         return static_cast<std::size_t>(end_ - position_);
+    }
+
+    /// Moves over the mark that UTF-8 text may begin with.
+    void skip_byte_order_mark() {
+        constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+        if (std::string_view(position_, bytes_left()).starts_with(kByteOrderMark)) {
+            position_ += kByteOrderMark.size();
+        }
     }
 
     /// Skips blanks and comments; true when nothing else is left on this line.
@@ -96,6 +104,9 @@ private:
     const char* end_;
     std::size_t line_ = 1;
 };
+
+/// Whether a text is a word in capitals, written in any case.
+[[nodiscard]] bool spells(std::string_view text, std::string_view capitals);
 
 /// A token as it can be shown in a message: quoted, shortened, without control characters.
 [[nodiscard]] std::string quoted_token(std::string_view token);
