@@ -22,6 +22,14 @@ Error at_line(std::size_t line, const Error& error) {
     return {error.code, "line " + std::to_string(line) + ": " + error.message};
 }
 
+std::optional<Error> nul_byte(std::string_view text, ErrorCode code) {
+    const std::size_t nul = text.find('\0');
+    if (nul == std::string_view::npos) return std::nullopt;
+    TextScanner before(text.substr(0, nul));
+    while (before.find_token()) before.skip_rest_of_line();
+    return at_line(before.line(), {code, "expected text, found a NUL byte"});
+}
+
 void MeshBuilder::reserve(std::size_t vertices, std::size_t faces) {
     mesh_.vertices.reserve(vertices);
     mesh_.triangles.reserve(faces);

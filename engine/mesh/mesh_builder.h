@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -109,6 +110,9 @@ private:
 
 /// "1 face", "2 faces".
 [[nodiscard]] std::string plural(std::uint64_t count, const std::string& noun);
+
+/// An error with the given code where text holds a NUL byte.
+[[nodiscard]] std::optional<Error> nul_byte(std::string_view text, ErrorCode code);
 
 /// "line 7: " before the message.
 [[nodiscard]] Error at_line(std::size_t line, const Error& error);

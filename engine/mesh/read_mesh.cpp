@@ -11,6 +11,7 @@
 
 #include "engine/mesh/inspect.h"
 #include "engine/mesh/measures.h"
+#include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_off.h"
 #include "engine/mesh/read_stl.h"
 #include "engine/mesh/recognise_format.h"
@@ -84,6 +85,8 @@ FormatReader reader_of(ModelFormat format) {
         case ModelFormat::kStlText:
         case ModelFormat::kStlBinary:
             return read_stl;
+        case ModelFormat::kObj:
+            return read_obj;
         default:
             return nullptr;
     }
@@ -128,8 +131,8 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 7> kExtensions = {".off",   ".coff",  ".noff", ".cnoff",
-                                                             ".ncoff", ".stoff", ".stl"};
+    constexpr std::array<std::string_view, 8> kExtensions = {".off",   ".coff",  ".noff", ".cnoff",
+                                                             ".ncoff", ".stoff", ".stl",  ".obj"};
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

@@ -220,12 +220,7 @@ std::optional<ReadMeshResult> try_free_form(const TextScanner& scanner, const Of
 }
 
 Result<ReadMeshResult> read_off_text(std::string_view text, const MeshBuilder& builder) {
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-        TextScanner before(text.substr(0, nul));
-        while (before.find_token()) before.skip_rest_of_line();
-        return {ErrorCode::kOffBinary,
-                "line " + std::to_string(before.line()) + ": expected text, found a NUL byte"};
-    }
+    if (std::optional<Error> binary = nul_byte(text, ErrorCode::kOffBinary)) return *binary;
     TextScanner scanner(text);
     const Result<OffHeader> header = read_off_header(scanner);
     if (!header) return header.error();

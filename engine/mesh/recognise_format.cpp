@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/mesh/off_header.h"
+#include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_stl.h"
 #include "engine/mesh/text_scanner.h"
 
@@ -25,14 +26,6 @@ bool is_geomview(std::string_view bytes) {
         if (token == "=" || looks_like_off(token)) return true;
     }
     return std::find(kWords.begin(), kWords.end(), token) != kWords.end();
-}
-
-bool is_obj(std::string_view bytes) {
-    constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp",     "f",     "o",
-                                                            "g", "s",  "l",  "mtllib", "usemtl"};
-    TextScanner scanner(bytes);
-    if (!scanner.find_token()) return false;
-    return std::find(kKeywords.begin(), kKeywords.end(), scanner.peek_token()) != kKeywords.end();
 }
 
 }  // namespace
@@ -61,7 +54,7 @@ ModelFormat recognise_format(std::string_view bytes) {
         return ModelFormat::kXml;
     }
     if (is_geomview(bytes)) return ModelFormat::kGeomview;
-    return is_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
+    return looks_like_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
 }
 
 std::string_view to_string(ModelFormat format) {

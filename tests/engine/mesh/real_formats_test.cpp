@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "engine/mesh/measures.h"
@@ -60,9 +61,21 @@ TEST(RealFormats, AgreeWithAnIndependentRecount) {
     const fs::path folder = data / "formats";
     if (!fs::exists(folder / "truth.tsv")) GTEST_SKIP() << "formats/ not found in " << data;
     // What is refused, and why: each reason is true of the file.
-    const std::map<std::string, ErrorCode> refused = {};
-    const auto truths = truths_of(folder / "truth.tsv", {"off", "stl"});
-    EXPECT_GE(truths.size(), 22u);
+    const std::map<std::string, ErrorCode> refused = {
+        {"obj/130-empty.obj", ErrorCode::kFormatUnknown},      // one comment
+        {"obj/131-obj_empty.obj", ErrorCode::kFormatUnknown},  // two comments
+    };
+    // The recount cuts polygons as fans, which overlap where the polygon is concave: these are the
+    // areas of the polygons themselves (Newell's formula). One is not flat and has no area of its
+    // own.
+    const std::map<std::string, std::optional<double>> areas = {
+        {"obj/095-concave_polygon.obj", 0.24549668720},
+        {"obj/100-space_in_material_name.obj", 0.24549668720},
+        {"obj/140-polygonfaces.obj", std::nullopt},
+        {"obj/148-wallhole.obj", 721.42135623731},
+    };
+    const auto truths = truths_of(folder / "truth.tsv", {"off", "stl", "obj"});
+    EXPECT_GE(truths.size(), 75u);
     for (const Truth& truth : truths) {
         SCOPED_TRACE(truth.file);
         const auto read = mesh::read_mesh(folder / truth.file);
@@ -76,7 +89,9 @@ TEST(RealFormats, AgreeWithAnIndependentRecount) {
             continue;
         }
         EXPECT_EQ(read->mesh.triangles.size(), truth.triangles);
-        EXPECT_NEAR(mesh::measure(read->mesh).surface_area, truth.area, 1e-4 * truth.area);
+        const auto known = areas.find(truth.file);
+        const std::optional<double> area = known == areas.end() ? truth.area : known->second;
+        if (area) EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *area, 1e-4 * *area);
         if (truth.bounds.isEmpty()) continue;
         const Box3 bounds = bounds_of(read->mesh);
         const double tolerance = 1e-4 * truth.bounds.diagonal().norm();
