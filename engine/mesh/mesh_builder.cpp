@@ -1,18 +1,16 @@
 #include "engine/mesh/mesh_builder.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <sstream>
 
 namespace ossuary::mesh {
-namespace {
 
 std::string number_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+    std::array<char, 32> digits{};
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+    return {digits.data(), written.ptr};
 }
-
-}  // namespace
 
 std::string plural(std::uint64_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");

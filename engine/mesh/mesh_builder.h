@@ -66,6 +66,9 @@ public:
     [[nodiscard]] bool is_in_range(double value) const {
         return std::abs(value) <= options_.max_coordinate;
     }
+    [[nodiscard]] bool is_in_range(const Vec3& position) const {
+        return (position.cwiseAbs().array() <= options_.max_coordinate).all();
+    }
     /// What is wrong with a position that is not in range.
     [[nodiscard]] Error position_error(std::uint64_t vertex, const Vec3& position) const;
 
@@ -110,6 +113,9 @@ private:
 
 /// "1 face", "2 faces".
 [[nodiscard]] std::string plural(std::uint64_t count, const std::string& noun);
+
+/// With as many digits as tell it from every other number.
+[[nodiscard]] std::string number_text(double value);
 
 /// An error with the given code where text holds a NUL byte.
 [[nodiscard]] std::optional<Error> nul_byte(std::string_view text, ErrorCode code);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/mesh/mesh_builder.h"
+
 namespace ossuary::mesh {
 namespace {
 
-Error at_line(const TextScanner& scanner, ErrorCode code, const std::string& text) {
-    return {code, "line " + std::to_string(scanner.line()) + ": " + text};
+Error off_fault(const TextScanner& scanner, ErrorCode code, const std::string& text) {
+    return at_line(scanner.line(), {code, text});
 }
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
@@ -71,28 +73,28 @@ Result<OffHeader> read_word(TextScanner& scanner) {
     const HeaderWord word = split_header_word(token);
     const std::string_view glued = token.substr(word.length);
     if (!word.recognised || !may_follow_word(glued)) {
-        return at_line(scanner, ErrorCode::kOffHeader,
-                       "expected the header word OFF, found " + quoted_token(token));
+        return off_fault(scanner, ErrorCode::kOffHeader,
+                         "expected the header word OFF, found " + quoted_token(token));
     }
     scanner.advance(word.length);
     if (!scanner.at_line_end() && spells(scanner.peek_token(), "BINARY")) {
-        return at_line(scanner, ErrorCode::kOffBinary,
-                       "expected a text OFF file, found a binary one");
+        return off_fault(scanner, ErrorCode::kOffBinary,
+                         "expected a text OFF file, found a binary one");
     }
     if (word.four_components) {
-        return at_line(scanner, ErrorCode::kOffDimension,
-                       "expected vertices with three coordinates, the header word " +
-                           quoted_token(token) + " announces four");
+        return off_fault(scanner, ErrorCode::kOffDimension,
+                         "expected vertices with three coordinates, the header word " +
+                             quoted_token(token) + " announces four");
     }
     if (word.names_dimension) {
         std::uint64_t dimension = 0;
         if (!scanner.find_token() || scanner.read_count(dimension) != NumberStatus::kOk) {
-            return at_line(scanner, ErrorCode::kOffDimension,
-                           "expected the number of dimensions after " + quoted_token(token));
+            return off_fault(scanner, ErrorCode::kOffDimension,
+                             "expected the number of dimensions after " + quoted_token(token));
         }
         if (dimension != 3) {
-            return at_line(scanner, ErrorCode::kOffDimension,
-                           "expected three dimensions, found " + std::to_string(dimension));
+            return off_fault(scanner, ErrorCode::kOffDimension,
+                             "expected three dimensions, found " + std::to_string(dimension));
         }
     }
     return word.header;
@@ -101,7 +103,7 @@ Result<OffHeader> read_word(TextScanner& scanner) {
 Result<std::uint64_t> read_one_count(TextScanner& scanner, std::string_view what) {
     const std::string expected = "expected the number of " + std::string(what) + ", found ";
     if (!scanner.find_token()) {
-        return at_line(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
+        return off_fault(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
     }
     std::uint64_t count = 0;
     switch (scanner.read_count(count)) {
@@ -111,8 +113,8 @@ Result<std::uint64_t> read_one_count(TextScanner& scanner, std::string_view what
             scanner.advance(scanner.peek_token().size());
             return std::numeric_limits<std::uint64_t>::max();
         default:
-            return at_line(scanner, ErrorCode::kOffCounts,
-                           expected + quoted_token(scanner.peek_token()));
+            return off_fault(scanner, ErrorCode::kOffCounts,
+                             expected + quoted_token(scanner.peek_token()));
     }
 }
 
@@ -130,8 +132,8 @@ Result<bool> skip_edge_count(TextScanner& scanner) {
     const std::string_view token = ahead.peek_token();
     if (!is_integer(token)) {
         if (!same_line) return false;
-        return at_line(ahead, ErrorCode::kOffCounts,
-                       "expected the number of edges, found " + quoted_token(token));
+        return off_fault(ahead, ErrorCode::kOffCounts,
+                         "expected the number of edges, found " + quoted_token(token));
     }
     ahead.advance(token.size());
     if (!same_line && !ahead.at_line_end()) return false;
@@ -144,8 +146,8 @@ Result<bool> skip_edge_count(TextScanner& scanner) {
 Result<OffHeader> read_off_header(TextScanner& scanner) {
     scanner.skip_byte_order_mark();
     if (!scanner.find_token()) {
-        return at_line(scanner, ErrorCode::kOffHeader,
-                       "expected the header word OFF, found the end of the file");
+        return off_fault(scanner, ErrorCode::kOffHeader,
+                         "expected the header word OFF, found the end of the file");
     }
     Result<OffHeader> header = read_word(scanner);
     if (!header) return header;

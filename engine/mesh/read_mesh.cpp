@@ -13,6 +13,7 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_off.h"
+#include "engine/mesh/read_ply.h"
 #include "engine/mesh/read_stl.h"
 #include "engine/mesh/recognise_format.h"
 #include "engine/mesh/text_scanner.h"
@@ -87,6 +88,8 @@ FormatReader reader_of(ModelFormat format) {
             return read_stl;
         case ModelFormat::kObj:
             return read_obj;
+        case ModelFormat::kPly:
+            return read_ply;
         default:
             return nullptr;
     }
@@ -131,8 +134,8 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 8> kExtensions = {".off",   ".coff",  ".noff", ".cnoff",
-                                                             ".ncoff", ".stoff", ".stl",  ".obj"};
+    constexpr std::array<std::string_view, 9> kExtensions = {
+        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff", ".stl", ".obj", ".ply"};
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

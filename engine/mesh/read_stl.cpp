@@ -54,7 +54,7 @@ Result<ReadMeshResult> read_binary(std::string_view bytes, const ReadMeshOptions
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3 position(corners[3 * corner], corners[3 * corner + 1],
                                 corners[3 * corner + 2]);
-            if (!(position.cwiseAbs().array() <= options.max_coordinate).all()) {
+            if (!builder.is_in_range(position)) {
                 const Error error = builder.position_error(3 * t + corner, position);
                 return {error.code, "triangle " + std::to_string(t) + ": " + error.message};
             }

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/mesh/off_header.h"
+#include "engine/mesh/ply_header.h"
 #include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_stl.h"
 #include "engine/mesh/text_scanner.h"
@@ -42,7 +43,7 @@ ModelFormat recognise_format(std::string_view bytes) {
     if (bytes.starts_with("PK\x03\x04")) return ModelFormat::kThreeMf;
     if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
     if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return ModelFormat::kPly;
+    if (looks_like_ply(bytes)) return ModelFormat::kPly;
     if (looks_like_off(bytes)) return ModelFormat::kOff;
     if (resembles_binary_stl(bytes)) return ModelFormat::kStlBinary;
     if (looks_like_stl_text(bytes)) return ModelFormat::kStlText;

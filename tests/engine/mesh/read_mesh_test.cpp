@@ -84,7 +84,7 @@ TEST_F(ReadMesh, RefusesSixtyMegabytesOfNonsenseQuickly) {
 
 TEST_F(ReadMesh, PicksModelFilesByExtensionInAnyCase) {
     for (const char* name : {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off",
-                             "f.stl", "F.STL", "g.obj"}) {
+                             "f.stl", "F.STL", "g.obj", "h.ply"}) {
         EXPECT_TRUE(mesh::is_model_file(name)) << name;
     }
     for (const char* name : {"a.step", "off", ".off", "a.off.gz", "a.offx", "a.expect", "a", ""}) {
