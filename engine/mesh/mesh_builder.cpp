@@ -57,7 +57,7 @@ Error MeshBuilder::too_many_corners(const std::string& found) const {
 
 Error MeshBuilder::coordinate_error(std::uint64_t vertex, int axis, NumberStatus status,
                                     const std::string& found) const {
-    const std::string where = std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(vertex);
+    const std::string where = std::string(1, "xyzw"[axis]) + " of vertex " + std::to_string(vertex);
     if (status == NumberStatus::kOk) {
         return {ErrorCode::kMeshScale, where + ": expected a magnitude of at most " +
                                            number_text(options_.max_coordinate) + ", found " +

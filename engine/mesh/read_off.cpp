@@ -6,6 +6,7 @@
 
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/off_header.h"
+#include "engine/mesh/read_off_binary.h"
 #include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
@@ -60,6 +61,22 @@ public:
         return {};
     }
 
+    /// One vertex a line, but faces that may go on in the next lines; what follows their last
+    /// corner on its line is a colour. Colours of vertices or faces that end early could be taken
+    /// for one another, so all must come out even.
+    Result<void> read_wrapped_faces() {
+        for (std::uint64_t i = 0; i < header_.vertices; ++i) {
+            if (Result<void> read = read_vertex_line(i); !read) return read;
+        }
+        for (std::uint64_t i = 0; i < header_.faces; ++i) {
+            if (Result<void> read = read_corners(i, true); !read) return read;
+            scanner_.skip_rest_of_line();
+            if (Result<void> added = add_face(); !added) return added;
+        }
+        if (scanner_.find_token()) return fail(ErrorCode::kOffTruncated, "expected the end");
+        return {};
+    }
+
     ReadMeshResult take(bool free_form);
 
 private:
@@ -92,14 +109,24 @@ private:
 
 Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines) {
     Vec3 position;
-    for (int axis = 0; axis < 3; ++axis) {
+    double w = 1;
+    const int coordinates = header_.has_w ? 4 : 3;
+    for (int axis = 0; axis < coordinates; ++axis) {
         if (over_lines ? !scanner_.find_token() : scanner_.at_line_end()) {
             return fail(ErrorCode::kOffTruncated, "vertex " + std::to_string(vertex) +
-                                                      ": expected 3 coordinates, found " +
+                                                      ": expected " + std::to_string(coordinates) +
+                                                      " coordinates, found " +
                                                       std::to_string(axis));
         }
-        Result<void> read = builder_.read_coordinate(scanner_, vertex, axis, position[axis]);
+        double& value = axis < 3 ? position[axis] : w;
+        Result<void> read = builder_.read_coordinate(scanner_, vertex, axis, value);
         if (!read) return at_line(scanner_.line(), read.error());
+    }
+    if (header_.has_w) {
+        position /= w;
+        if (!builder_.is_in_range(position)) {
+            return at_line(scanner_.line(), builder_.position_error(vertex, position));
+        }
     }
     builder_.add_vertex(position);
     return {};
@@ -204,7 +231,8 @@ ReadMeshResult OffBodyReader::take(bool free_form) {
     return builder_.take();
 }
 
-/// Reads the text as a free sequence of numbers if that comes out even.
+/// Reads the text as a free sequence of numbers, or as lines of which faces take more than one, if
+/// that comes out even.
 std::optional<ReadMeshResult> try_free_form(const TextScanner& scanner, const OffHeader& header,
                                             const MeshBuilder& builder) {
     const int other_values =
@@ -216,10 +244,19 @@ std::optional<ReadMeshResult> try_free_form(const TextScanner& scanner, const Of
         }
         if (!header.has_colors) break;
     }
+    OffBodyReader reader(scanner, header, builder);
+    if (reader.read_wrapped_faces()) return reader.take(true);
     return std::nullopt;
 }
 
-Result<ReadMeshResult> read_off_text(std::string_view text, const MeshBuilder& builder) {
+Result<ReadMeshResult> read_off_text(std::string_view file, const MeshBuilder& builder) {
+    TextScanner start(file);
+    if (const auto header = read_off_header(start); header && header->is_binary) {
+        auto read =
+            read_off_binary(file.substr(file.size() - start.bytes_left()), *header, builder);
+        return read ? read : at_line(start.line() - 1, read.error());
+    }
+    const std::string_view text = without_closing_braces(file);
     if (std::optional<Error> binary = nul_byte(text, ErrorCode::kOffBinary)) return *binary;
     TextScanner scanner(text);
     const Result<OffHeader> header = read_off_header(scanner);

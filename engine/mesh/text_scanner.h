@@ -50,6 +50,11 @@ public:
         while (position_ != end_ && !is_newline(*position_)) ++position_;
     }
 
+    void skip_line() {
+        skip_rest_of_line();
+        if (position_ != end_) step_over_newline();
+    }
+
     /// The token at the current position, up to a blank, a comment or the end of the line.
     [[nodiscard]] std::string_view peek_token() const {
         const char* p = position_;
