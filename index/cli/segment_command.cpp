@@ -100,7 +100,7 @@ Result<ExitCode> run(Options options, const Session& session) {
     if (!method.ok()) return method.error();
     options.decompose.method = *method;
     Stopwatch watch;
-    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path, {}, session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<decomposition::Decomposition> decomposition =

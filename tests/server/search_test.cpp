@@ -105,7 +105,8 @@ TEST_F(Search, RefusesFormsWithoutTheModel) {
 
 TEST_F(Search, TakesTheContentTypesOfModels) {
     for (const char* type :
-         {"model/off", "application/octet-stream", "text/plain; charset=utf-8"}) {
+         {"model/off", "application/octet-stream", "text/plain; charset=utf-8", "model/stl",
+          "text/prs.wavefront-obj", "application/sla", "application/vnd.ms-pki.stl"}) {
         EXPECT_EQ(server_
                       .ask(post("/v1/search?limit=1", tree(),
                                 "Content-Type: " + std::string(type) + "\r\n"))
