@@ -36,6 +36,16 @@ std::optional<PlyType> ply_type(std::string_view word) {
     return std::nullopt;
 }
 
+PlyMeaning meaning_of(const PlyProperty& property) {
+    if (property.is_list) {
+        const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
+        return corners ? PlyMeaning::kCorners : PlyMeaning::kOther;
+    }
+    if (property.name == "x") return PlyMeaning::kX;
+    if (property.name == "y") return PlyMeaning::kY;
+    return property.name == "z" ? PlyMeaning::kZ : PlyMeaning::kOther;
+}
+
 class PlyHeaderReader {
 public:
     explicit PlyHeaderReader(std::string_view bytes) : bytes_(bytes) {
@@ -144,6 +154,7 @@ Result<void> PlyHeaderReader::read_property() {
     property.type = *type;
     property.name = next_word();
     if (property.name.empty()) return fail("the name of the property", "");
+    property.meaning = meaning_of(property);
     header_.elements.back().properties.push_back(std::move(property));
     return {};
 }

@@ -23,9 +23,13 @@ enum class PlyType : std::uint8_t {
 /// Bytes of a number in a binary file.
 [[nodiscard]] std::size_t size_of(PlyType type);
 
+/// What a property is to the reader of meshes.
+enum class PlyMeaning : std::uint8_t { kX, kY, kZ, kCorners, kOther };
+
 struct PlyProperty {
     std::string name;
-    PlyType type = PlyType::kFloat32;  ///< of each value
+    PlyMeaning meaning = PlyMeaning::kOther;  ///< by its name
+    PlyType type = PlyType::kFloat32;         ///< of each value
     bool is_list = false;
     PlyType count_type = PlyType::kUint8;  ///< of the number of values that a list begins with
 };

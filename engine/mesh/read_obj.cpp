@@ -150,6 +150,15 @@ Result<void> ObjReader::read_face(TextScanner& scanner) {
     corners_.clear();
     std::uint32_t largest = 0;
     while (!scanner.at_line_end()) {
+        // Most are plain numbers, for which read_corner does too much.
+        TextScanner ahead = scanner;
+        std::uint64_t index = 0;
+        if (ahead.read_count(index) == NumberStatus::kOk && index - 1 < options_.max_vertices) {
+            corners_.push_back(static_cast<std::uint32_t>(index - 1));
+            largest = std::max(largest, corners_.back());
+            scanner = ahead;
+            continue;
+        }
         const std::string_view token = scanner.peek_token();
         const Result<std::uint32_t> corner = read_corner(token);
         if (!corner) return corner.error();
@@ -191,6 +200,9 @@ Result<void> ObjReader::read_statement() {
     if (scanner.at_line_end()) return {};
     const std::string_view word = scanner.peek_token();
     scanner.advance(word.size());
+    // These two come so often that they are not looked up.
+    if (word.size() == 1 && word[0] == 'f') return read_face(scanner);
+    if (word.size() == 1 && word[0] == 'v') return read_vertex(scanner);
     switch (statement_of(word)) {
         case ObjStatement::kVertex:
             return read_vertex(scanner);

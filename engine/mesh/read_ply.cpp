@@ -27,17 +27,10 @@ PlyRole role_of(const PlyElement& element) {
 }
 
 bool is_corner_list(const PlyProperty& property) {
-    return property.is_list &&
-           (property.name == "vertex_indices" || property.name == "vertex_index");
+    return property.meaning == PlyMeaning::kCorners;
 }
 
-/// Which axis a property is, 3 for none.
-int axis_of(const PlyProperty& property) {
-    const std::size_t axis = property.is_list || property.name.size() != 1
-                                 ? 3
-                                 : std::string_view("xyz").find(property.name);
-    return axis < 3 ? static_cast<int>(axis) : 3;
-}
+bool is_coordinate(const PlyProperty& property) { return property.meaning <= PlyMeaning::kZ; }
 
 /// Reads the data that follow the header.
 template <typename Body>
@@ -89,7 +82,7 @@ Error PlyReader<Body>::bad_value(PlyStatus status, const Place& place,
         return fail(ErrorCode::kPlyTruncated, place,
                     "expected " + property.name + ", found the end of the file");
     }
-    const bool non_finite = status == PlyStatus::kNonFinite && axis_of(property) < 3;
+    const bool non_finite = status == PlyStatus::kNonFinite && is_coordinate(property);
     return fail(non_finite ? ErrorCode::kPlyNonFinite : ErrorCode::kPlyBadNumber, place,
                 property.name + ": expected a finite number, found " + quoted_token(body_.found()));
 }
@@ -105,12 +98,11 @@ Result<void> PlyReader<Body>::check_element(const PlyElement& element) const {
     const PlyRole role = role_of(element);
     if (element.count == 0 || role == PlyRole::kOther) return {};
     if (role == PlyRole::kVertices) {
-        std::array<int, 4> seen{};
-        for (const PlyProperty& property : element.properties) {
-            ++seen[static_cast<std::size_t>(axis_of(property))];
-        }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (seen[axis] == 0) return lacks(std::string(1, "xyz"[axis]));
+        for (const PlyMeaning axis : {PlyMeaning::kX, PlyMeaning::kY, PlyMeaning::kZ}) {
+            const bool has =
+                std::any_of(element.properties.begin(), element.properties.end(),
+                            [&](const PlyProperty& property) { return property.meaning == axis; });
+            if (!has) return lacks(std::string(1, "xyz"[static_cast<std::size_t>(axis)]));
         }
     } else if (std::none_of(element.properties.begin(), element.properties.end(), is_corner_list)) {
         return lacks("the list vertex_indices or vertex_index");
@@ -166,12 +158,12 @@ template <typename Body>
 Result<void> PlyReader<Body>::read_vertex(const Place& place) {
     Vec3 position = Vec3::Zero();
     for (const PlyProperty& property : place.element.properties) {
-        const int axis = axis_of(property);
-        if (axis == 3) {
+        if (!is_coordinate(property)) {
             if (Result<void> skipped = skip(place, property); !skipped) return skipped;
             continue;
         }
-        const PlyStatus status = body_.read(property.type, position[axis]);
+        const PlyStatus status =
+            body_.read(property.type, position[static_cast<int>(property.meaning)]);
         if (status != PlyStatus::kOk) return bad_value(status, place, property);
     }
     if (!builder_.is_in_range(position)) {
@@ -201,6 +193,8 @@ Result<void> PlyReader<Body>::read_polygon(const Place& place, const PlyProperty
     if (Result<void> caps = builder_.check_corners(*size); !caps) {
         return {caps.error().code, body_.place() + caps.error().message};
     }
+    const auto vertices = static_cast<std::uint32_t>(builder_.vertices().size());
+    if (body_.read_indices(property.type, *size, vertices, corners_)) return {};
     corners_.clear();
     for (std::uint64_t corner = 0; corner < *size; ++corner) {
         double value = 0;

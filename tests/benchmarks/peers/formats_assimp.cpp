@@ -81,6 +81,19 @@ std::string to_float_ply(const TriangleMesh& mesh) {
     return ply;
 }
 
+/// As most programs write it: no more digits than floats need.
+std::string to_float_obj(const TriangleMesh& mesh) {
+    std::string obj;
+    for (const Vec3& vertex : mesh.vertices) {
+        const Eigen::Vector3f at = vertex.cast<float>();
+        obj += fmt::format("v {} {} {}\n", at.x(), at.y(), at.z());
+    }
+    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+        obj += fmt::format("f {} {} {}\n", triangle[0] + 1, triangle[1] + 1, triangle[2] + 1);
+    }
+    return obj;
+}
+
 struct Recount {
     std::size_t triangles = 0;
     double area = 0;
@@ -180,7 +193,7 @@ int main(int count, char** arguments) {
     fmt::print("{} triangles, best of {} runs, processor seconds\n", triangles, runs);
     fmt::print("          MB file only    reader read_mesh    assimp    joined   ratio  joined\n");
     compare("stl", ossuary::mesh::read_stl, ossuary::mesh::to_stl(mesh), runs, triangles);
-    compare("obj", ossuary::mesh::read_obj, ossuary::mesh::to_obj(mesh), runs, triangles);
+    compare("obj", ossuary::mesh::read_obj, to_float_obj(mesh), runs, triangles);
     compare("ply", ossuary::mesh::read_ply, to_float_ply(mesh), runs, triangles);
     return 0;
 }
