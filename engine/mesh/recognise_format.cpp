@@ -24,7 +24,7 @@ bool is_geomview(std::string_view bytes) {
         scanner.advance(1);
         if (!scanner.find_token()) return false;
         token = scanner.peek_token();
-        if (token == "=" || looks_like_off(token)) return true;
+        if (token == "=") return true;
     }
     return std::find(kWords.begin(), kWords.end(), token) != kWords.end();
 }
