@@ -1,21 +1,19 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string>
+#include <vector>
 
 #include "engine/decomposition/segmentation.h"
-#include "engine/mesh/triangle_mesh.h"
+#include "engine/mesh/write_mesh.h"
 
 namespace ossuary::index {
 
 /// The colour of a part, red, green and blue: hues a golden angle apart, so that parts with
 /// neighbouring numbers are easy to tell from each other.
-[[nodiscard]] std::array<std::uint8_t, 3> part_colour(std::uint32_t part);
+[[nodiscard]] mesh::Colour part_colour(std::uint32_t part);
 
-/// The mesh as a binary little-endian PLY file whose faces have their part's colour.
-/// @param segmentation  a label for each triangle
-[[nodiscard]] std::string coloured_ply(const mesh::TriangleMesh& mesh,
-                                       const decomposition::Segmentation& segmentation);
+/// The colour of the part of each triangle.
+[[nodiscard]] std::vector<mesh::Colour> part_colours(
+    const decomposition::Segmentation& segmentation);
 
 }  // namespace ossuary::index

@@ -24,7 +24,7 @@ Error describing_cancelled(std::string_view name) {
 
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
                                   std::stop_token stop) {
-    auto read = mesh::read_mesh(source.bytes, source.name);
+    auto read = mesh::read_mesh(source.bytes, source.name, {}, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);

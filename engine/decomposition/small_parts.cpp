@@ -48,7 +48,8 @@ void join_small_parts(const SurfaceGraph& surface, std::vector<std::uint32_t>& p
         if (!neighbor) continue;
         std::replace(part_of_triangle.begin(), part_of_triangle.end(), part, *neighbor);
         // Not where the neighbour is a loose piece's, which is settled.
-        if (const auto joined = areas.find(*neighbor); joined != areas.end()) joined->second += area;
+        if (const auto joined = areas.find(*neighbor); joined != areas.end())
+            joined->second += area;
     }
 }
 

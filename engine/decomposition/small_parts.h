@@ -7,8 +7,8 @@
 
 namespace ossuary::decomposition {
 
-/// The share of the surface's area from which on a part is one: as many parts as people make (7.8 on
-/// average against 7.3; 8.8 without), and borders that are as near to theirs as without.
+/// The share of the surface's area from which on a part is one: as many parts as people make (7.8
+/// on average against 7.3; 8.8 without), and borders that are as near to theirs as without.
 inline constexpr double kSmallestPart = 0.0085;
 
 /// Gives parts below `share` of the area, the smallest first, to the part that they have the

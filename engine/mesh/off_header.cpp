@@ -3,30 +3,20 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/mesh/mesh_builder.h"
+
 namespace ossuary::mesh {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-Error at_line(const OffScanner& scanner, ErrorCode code, const std::string& text) {
-    return {code, "line " + std::to_string(scanner.line()) + ": " + text};
+Error off_fault(const TextScanner& scanner, ErrorCode code, const std::string& text) {
+    return at_line(scanner.line(), {code, text});
 }
 
 bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Whether a text is a word in capitals, written in any case.
-bool spells(std::string_view text, std::string_view capitals) {
-    return std::equal(text.begin(), text.end(), capitals.begin(), capitals.end(),
-                      [](char c, char capital) {
-                          return c == capital || (c >= 'a' && c <= 'z' && c - 'a' + 'A' == capital);
-                      });
-}
-
 /// The header word taken apart: [ST][C][N][4][n]OFF, with whatever is glued to it.
 struct HeaderWord {
     OffHeader header;
-    bool four_components = false;
-    bool names_dimension = false;
     std::size_t length = 0;  ///< up to the end of OFF
     bool recognised = false;
 };
@@ -52,9 +42,9 @@ HeaderWord split_header_word(std::string_view token) {
         } else if (take("C")) {
             word.header.has_colors = true;
         } else if (take("4")) {
-            word.four_components = true;
+            word.header.has_w = true;
         } else if (take("N")) {
-            (names_dimension ? word.names_dimension : word.header.has_normals) = true;
+            (names_dimension ? word.header.names_dimension : word.header.has_normals) = true;
         } else {
             return word;
         }
@@ -69,11 +59,66 @@ bool may_follow_word(std::string_view glued) {
     return glued.empty() || is_decimal_digit(glued[0]) || spells(glued, "BINARY");
 }
 
+/// Whether a single number is followed by a line of three counts.
+bool is_from_qhull(TextScanner scanner) {
+    std::uint64_t ignored = 0;
+    if (scanner.read_count(ignored) != NumberStatus::kOk || !scanner.at_line_end()) return false;
+    if (!scanner.find_token()) return false;
+    for (int count = 0; count < 3; ++count) {
+        if (scanner.at_line_end() || scanner.read_count(ignored) != NumberStatus::kOk) return false;
+    }
+    return scanner.at_line_end();
+}
+
+/// Moves over braces and what they hold, from an opening one; false where none stands there.
+bool skip_braces(TextScanner& scanner) {
+    std::size_t depth = 0;
+    while (scanner.find_token()) {
+        for (const char c : scanner.peek_token()) {
+            if (c != '{' && depth == 0) return false;
+            scanner.advance(1);
+            if (c == '{') ++depth;
+            if (c == '}' && --depth == 0) return true;
+        }
+    }
+    return false;
+}
+
+/// Moves over what OOGL allows before the header word (the Geomview manual, "Syntax Common to All
+/// OOGL File Formats") and says how many braces it has opened.
+std::size_t skip_oogl_preamble(TextScanner& scanner) {
+    constexpr std::string_view kAppearance = "appearance";
+    std::size_t open = 0;
+    while (scanner.find_token()) {
+        const std::string_view token = scanner.peek_token();
+        if (token.starts_with('{') || token.starts_with('=')) {
+            open += token[0] == '{' ? 1 : 0;
+            scanner.advance(1);
+        } else if (token.starts_with(kAppearance)) {
+            TextScanner ahead = scanner;
+            ahead.advance(kAppearance.size());
+            if (!skip_braces(ahead)) break;
+            scanner = ahead;
+        } else if (token == "define") {
+            scanner.advance(token.size());
+            if (scanner.find_token()) scanner.advance(scanner.peek_token().size());
+        } else {
+            break;
+        }
+    }
+    return open;
+}
+
 /// Reads the header word; false in `has_word` where the file starts with its counts.
-Result<OffHeader> read_word(OffScanner& scanner) {
+Result<OffHeader> read_word(TextScanner& scanner) {
     const std::string_view token = scanner.peek_token();
     if (is_decimal_digit(token[0]) &&
         token.find_first_not_of("0123456789") == std::string_view::npos) {
+        if (is_from_qhull(scanner)) {
+            return off_fault(scanner, ErrorCode::kOffHeader,
+                             "expected the header word OFF, found a dimension and counts as qhull "
+                             "writes them with its option o, whose faces look in any direction");
+        }
         OffHeader header;
         header.has_word = false;
         return header;
@@ -81,37 +126,34 @@ Result<OffHeader> read_word(OffScanner& scanner) {
     const HeaderWord word = split_header_word(token);
     const std::string_view glued = token.substr(word.length);
     if (!word.recognised || !may_follow_word(glued)) {
-        return at_line(scanner, ErrorCode::kOffHeader,
-                       "expected the header word OFF, found " + quoted_token(token));
+        return off_fault(scanner, ErrorCode::kOffHeader,
+                         "expected the header word OFF, found " + quoted_token(token));
     }
     scanner.advance(word.length);
     if (!scanner.at_line_end() && spells(scanner.peek_token(), "BINARY")) {
-        return at_line(scanner, ErrorCode::kOffBinary,
-                       "expected a text OFF file, found a binary one");
+        scanner.skip_line();
+        OffHeader header = word.header;
+        header.is_binary = true;
+        return header;
     }
-    if (word.four_components) {
-        return at_line(scanner, ErrorCode::kOffDimension,
-                       "expected vertices with three coordinates, the header word " +
-                           quoted_token(token) + " announces four");
-    }
-    if (word.names_dimension) {
+    if (word.header.names_dimension) {
         std::uint64_t dimension = 0;
         if (!scanner.find_token() || scanner.read_count(dimension) != NumberStatus::kOk) {
-            return at_line(scanner, ErrorCode::kOffDimension,
-                           "expected the number of dimensions after " + quoted_token(token));
+            return off_fault(scanner, ErrorCode::kOffDimension,
+                             "expected the number of dimensions after " + quoted_token(token));
         }
         if (dimension != 3) {
-            return at_line(scanner, ErrorCode::kOffDimension,
-                           "expected three dimensions, found " + std::to_string(dimension));
+            return off_fault(scanner, ErrorCode::kOffDimension,
+                             "expected three dimensions, found " + std::to_string(dimension));
         }
     }
     return word.header;
 }
 
-Result<std::uint64_t> read_one_count(OffScanner& scanner, std::string_view what) {
+Result<std::uint64_t> read_one_count(TextScanner& scanner, std::string_view what) {
     const std::string expected = "expected the number of " + std::string(what) + ", found ";
     if (!scanner.find_token()) {
-        return at_line(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
+        return off_fault(scanner, ErrorCode::kOffCounts, expected + "the end of the file");
     }
     std::uint64_t count = 0;
     switch (scanner.read_count(count)) {
@@ -121,8 +163,8 @@ Result<std::uint64_t> read_one_count(OffScanner& scanner, std::string_view what)
             scanner.advance(scanner.peek_token().size());
             return std::numeric_limits<std::uint64_t>::max();
         default:
-            return at_line(scanner, ErrorCode::kOffCounts,
-                           expected + quoted_token(scanner.peek_token()));
+            return off_fault(scanner, ErrorCode::kOffCounts,
+                             expected + quoted_token(scanner.peek_token()));
     }
 }
 
@@ -133,15 +175,15 @@ bool is_integer(std::string_view token) {
 
 /// The number of edges is never used, may be wrong, and is missing in some files: it is there if an
 /// integer follows on the line of the counts, or stands alone on the next line with content.
-Result<bool> skip_edge_count(OffScanner& scanner) {
-    OffScanner ahead = scanner;
+Result<bool> skip_edge_count(TextScanner& scanner) {
+    TextScanner ahead = scanner;
     const bool same_line = !ahead.at_line_end();
     if (!ahead.find_token()) return false;
     const std::string_view token = ahead.peek_token();
     if (!is_integer(token)) {
         if (!same_line) return false;
-        return at_line(ahead, ErrorCode::kOffCounts,
-                       "expected the number of edges, found " + quoted_token(token));
+        return off_fault(ahead, ErrorCode::kOffCounts,
+                         "expected the number of edges, found " + quoted_token(token));
     }
     ahead.advance(token.size());
     if (!same_line && !ahead.at_line_end()) return false;
@@ -151,16 +193,15 @@ Result<bool> skip_edge_count(OffScanner& scanner) {
 
 }  // namespace
 
-Result<OffHeader> read_off_header(OffScanner& scanner) {
-    if (scanner.peek_token().substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-        scanner.advance(kByteOrderMark.size());
-    }
+Result<OffHeader> read_off_header(TextScanner& scanner) {
+    scanner.skip_byte_order_mark();
+    skip_oogl_preamble(scanner);
     if (!scanner.find_token()) {
-        return at_line(scanner, ErrorCode::kOffHeader,
-                       "expected the header word OFF, found the end of the file");
+        return off_fault(scanner, ErrorCode::kOffHeader,
+                         "expected the header word OFF, found the end of the file");
     }
     Result<OffHeader> header = read_word(scanner);
-    if (!header) return header;
+    if (!header || header->is_binary) return header;
 
     const Result<std::uint64_t> vertices = read_one_count(scanner, "vertices");
     if (!vertices) return vertices.error();
@@ -175,17 +216,31 @@ Result<OffHeader> read_off_header(OffScanner& scanner) {
     return header;
 }
 
-bool looks_like_off(std::string_view text) {
-    OffScanner scanner(text);
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-        scanner.advance(kByteOrderMark.size());
+std::string_view without_closing_braces(std::string_view text) {
+    TextScanner scanner(text);
+    scanner.skip_byte_order_mark();
+    for (std::size_t open = skip_oogl_preamble(scanner); open > 0; --open) {
+        const std::size_t last = text.rfind('}');
+        if (last == std::string_view::npos) break;
+        TextScanner after(text.substr(last + 1));
+        if (after.find_token()) break;
+        text = text.substr(0, last);
     }
+    return text;
+}
+
+bool looks_like_off(std::string_view text) {
+    TextScanner scanner(text);
+    scanner.skip_byte_order_mark();
+    const bool in_braces = skip_oogl_preamble(scanner) > 0;
     if (!scanner.find_token()) return false;
     const std::string_view token = scanner.peek_token();
     const HeaderWord word = split_header_word(token);
     if (word.recognised && may_follow_word(token.substr(word.length))) return true;
     constexpr std::size_t kLongestPrefix = 6;  // STCN4n; a misspelt one is told so
     if (token.find("OFF") <= kLongestPrefix) return true;
+    if (in_braces) return false;
+    if (is_from_qhull(scanner)) return true;
     for (int count = 0; count < 3; ++count) {
         std::uint64_t ignored = 0;
         if (scanner.at_line_end() || scanner.read_count(ignored) != NumberStatus::kOk) return false;

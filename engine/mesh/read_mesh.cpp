@@ -11,9 +11,12 @@
 
 #include "engine/mesh/inspect.h"
 #include "engine/mesh/measures.h"
-#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_off.h"
+#include "engine/mesh/read_ply.h"
+#include "engine/mesh/read_stl.h"
 #include "engine/mesh/recognise_format.h"
+#include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
 namespace {
@@ -72,45 +75,67 @@ Result<void> check_extent(const TriangleMesh& mesh, std::string_view name,
     return {ErrorCode::kMeshScale, text.str()};
 }
 
+using FormatReader = Result<ReadMeshResult> (*)(std::string_view, std::string_view,
+                                                const ReadMeshOptions&, const std::stop_token&);
+
+/// What reads a format, null where nothing does.
+FormatReader reader_of(ModelFormat format) {
+    switch (format) {
+        case ModelFormat::kOff:
+            return read_off;
+        case ModelFormat::kStlText:
+        case ModelFormat::kStlBinary:
+            return read_stl;
+        case ModelFormat::kObj:
+            return read_obj;
+        case ModelFormat::kPly:
+            return read_ply;
+        default:
+            return nullptr;
+    }
+}
+
+Error not_read(std::string_view bytes, std::string_view name) {
+    const std::string expected =
+        std::string(name) + ": expected an OFF, STL, OBJ or PLY file, found ";
+    const ModelFormat format = recognise_format(bytes);
+    if (format != ModelFormat::kUnknown) {
+        return {ErrorCode::kFormatUnsupported, expected + std::string(to_string(format))};
+    }
+    return {
+        ErrorCode::kFormatUnknown,
+        expected + (bytes.empty() ? "an empty file"
+                                  : "one that begins with " + quoted_token(bytes.substr(0, 16)))};
+}
+
 }  // namespace
 
-Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
-                                 const ReadMeshOptions& options) {
+Result<ReadMeshResult> read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options,
+                                 const std::stop_token& stop) {
     Result<FileContents> contents = read_file(path, options.max_bytes);
     if (!contents) return contents.error();
-    return read_mesh({contents->bytes.get(), contents->size}, path.string(), options);
+    return read_mesh({contents->bytes.get(), contents->size}, path.string(), options, stop);
 }
 
 Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
-                                 const ReadMeshOptions& options) {
+                                 const ReadMeshOptions& options, const std::stop_token& stop) {
     if (bytes.size() > options.max_bytes) return too_large(name, bytes.size(), options.max_bytes);
-    const ModelFormat format = recognise_format(bytes);
-    if (format == ModelFormat::kOff) {
-        Result<ReadMeshResult> result = read_off(bytes, name, options);
-        if (!result) return result;
-        if (Result<void> checked = check_extent(result->mesh, name, options); !checked) {
-            return checked.error();
-        }
-        for (MeshWarning& warning : surface_warnings(result->mesh)) {
-            result->warnings.push_back(std::move(warning));
-        }
-        return result;
+    const FormatReader reader = reader_of(recognise_format(bytes));
+    if (reader == nullptr) return not_read(bytes, name);
+    Result<ReadMeshResult> result = reader(bytes, name, options, stop);
+    if (!result) return result;
+    if (Result<void> checked = check_extent(result->mesh, name, options); !checked) {
+        return checked.error();
     }
-    if (format != ModelFormat::kUnknown) {
-        return {
-            ErrorCode::kFormatUnsupported,
-            std::string(name) + ": expected an OFF file, found " + std::string(to_string(format))};
+    for (MeshWarning& warning : surface_warnings(result->mesh)) {
+        result->warnings.push_back(std::move(warning));
     }
-    const std::string found = bytes.empty()
-                                  ? "an empty file"
-                                  : "one that begins with " + quoted_token(bytes.substr(0, 16));
-    return {ErrorCode::kFormatUnknown,
-            std::string(name) + ": expected an OFF file, found " + found};
+    return result;
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 6> kExtensions = {".off",   ".coff",  ".noff",
-                                                             ".cnoff", ".ncoff", ".stoff"};
+    constexpr std::array<std::string_view, 9> kExtensions = {
+        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff", ".stl", ".obj", ".ply"};
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -29,18 +30,21 @@ struct ReadMeshResult {
     std::vector<MeshWarning> warnings;
 };
 
-/// Reads a model file; the format follows its contents, not its name (today: OFF and relatives).
-/// What is odd about the surface but does not keep it from being used comes back as warnings.
+/// Reads a model file; the format follows its contents, not its name: OFF and relatives, STL, OBJ,
+/// PLY. What is odd about the surface but does not keep it from being used comes back as warnings.
 /// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported (the message names
 /// the format that was recognised), format_unknown, and those of the format's own reader
-/// (read_off.h); mesh_scale (coordinates or an extent beyond the options' limits). A file that
-/// holds no face is no error, nor is one whose faces are all in one place.
+/// (read_off.h, read_stl.h, read_obj.h,
+/// read_ply.h); mesh_scale (coordinates or an extent beyond the options' limits). A
+/// file that holds no face is no error, nor is one whose faces are all in one place.
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
-                                 const ReadMeshOptions& options = {});
+                                 const ReadMeshOptions& options = {},
+                                 const std::stop_token& stop = {});
 
 /// The same from memory; `name` stands for the file in messages.
 Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
-                                 const ReadMeshOptions& options = {});
+                                 const ReadMeshOptions& options = {},
+                                 const std::stop_token& stop = {});
 
 /// True for file names that the indexer should pick up in a folder (by extension, any case).
 [[nodiscard]] bool is_model_file(const std::filesystem::path& path);

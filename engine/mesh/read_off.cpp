@@ -1,38 +1,33 @@
 #include "engine/mesh/read_off.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <span>
-#include <sstream>
 #include <string>
 
+#include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/off_header.h"
-#include "engine/mesh/off_scanner.h"
-#include "engine/mesh/triangulate.h"
+#include "engine/mesh/read_off_binary.h"
+#include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
 namespace {
 
 constexpr std::size_t kShortestVertex = 6;  // "0 0 0\n"
 constexpr std::size_t kShortestFace = 8;    // "3 0 1 2\n"
+constexpr std::uint64_t kVerticesBetweenLooks = 4096;
 
-std::string plural(std::uint64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
+constexpr ReaderCodes kOffCodes = {ErrorCode::kOffTooManyVertices, ErrorCode::kOffTooManyFaces,
+                                   ErrorCode::kOffTooManyCorners, ErrorCode::kOffBadNumber,
+                                   ErrorCode::kOffNonFinite};
 
 /// Reads what follows the header, one vertex and one face a line.
 class OffBodyReader {
 public:
-    OffBodyReader(const OffScanner& scanner, const OffHeader& header,
-                  const ReadMeshOptions& options)
-        : scanner_(scanner), header_(header), options_(options) {
-        mesh_.vertices.reserve(
-            std::min<std::size_t>(header.vertices, scanner.bytes_left() / kShortestVertex + 1));
-        const std::size_t faces =
-            std::min<std::size_t>(header.faces, scanner.bytes_left() / kShortestFace + 1);
-        mesh_.triangles.reserve(faces);
-        mesh_.face_of_triangle.reserve(faces);
+    OffBodyReader(const TextScanner& scanner, const OffHeader& header, MeshBuilder builder)
+        : scanner_(scanner), header_(header), builder_(std::move(builder)) {
+        builder_.reserve(
+            std::min<std::size_t>(header.vertices, scanner.bytes_left() / kShortestVertex + 1),
+            std::min<std::size_t>(header.faces, scanner.bytes_left() / kShortestFace + 1));
     }
 
     /// Element by element, each on its own line.
@@ -60,7 +55,23 @@ public:
         for (std::uint64_t i = 0; i < header_.faces; ++i) {
             if (Result<void> read = read_corners(i, true); !read) return read;
             if (corners_.empty()) return fail(ErrorCode::kOffBadNumber, "expected a face");
-            if (Result<void> added = add_face(corners_); !added) return added;
+            if (Result<void> added = add_face(); !added) return added;
+        }
+        if (scanner_.find_token()) return fail(ErrorCode::kOffTruncated, "expected the end");
+        return {};
+    }
+
+    /// One vertex a line, but faces that may go on in the next lines; what follows their last
+    /// corner on its line is a colour. Colours of vertices or faces that end early could be taken
+    /// for one another, so all must come out even.
+    Result<void> read_wrapped_faces() {
+        for (std::uint64_t i = 0; i < header_.vertices; ++i) {
+            if (Result<void> read = read_vertex_line(i); !read) return read;
+        }
+        for (std::uint64_t i = 0; i < header_.faces; ++i) {
+            if (Result<void> read = read_corners(i, true); !read) return read;
+            scanner_.skip_rest_of_line();
+            if (Result<void> added = add_face(); !added) return added;
         }
         if (scanner_.find_token()) return fail(ErrorCode::kOffTruncated, "expected the end");
         return {};
@@ -70,15 +81,13 @@ public:
 
 private:
     [[nodiscard]] Error fail(ErrorCode code, const std::string& text) const {
-        return {code, "line " + std::to_string(scanner_.line()) + ": " + text};
+        return at_line(scanner_.line(), {code, text});
     }
     [[nodiscard]] Error ends_early(const std::string& noun, std::uint64_t done,
                                    std::uint64_t expected) const {
         return fail(ErrorCode::kOffTruncated, "expected " + plural(expected, noun) +
                                                   ", the file ends after " + std::to_string(done));
     }
-    [[nodiscard]] Error bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const;
-    [[nodiscard]] Error coordinate_too_large(std::uint64_t vertex, int axis) const;
     [[nodiscard]] Error bad_corner(std::uint64_t face, std::size_t corner, NumberStatus status,
                                    std::uint64_t index) const;
 
@@ -86,62 +95,48 @@ private:
     Result<void> read_vertex_line(std::uint64_t vertex);
     Result<void> read_corners(std::uint64_t face, bool over_lines);
     Result<void> read_face_line(std::uint64_t face);
-    Result<void> add_face(std::span<const std::uint32_t> corners);
+    Result<void> add_face();
     void note_trailing_text();
 
-    OffScanner scanner_;
+    TextScanner scanner_;
     const OffHeader& header_;
-    const ReadMeshOptions& options_;
-    TriangleMesh mesh_;
-    PolygonTriangulator triangulator_;
+    MeshBuilder builder_;
     std::vector<std::uint32_t> corners_;
     std::size_t extended_vertices_ = 0;
-    std::size_t small_faces_ = 0;
     std::size_t trailing_lines_ = 0;
     std::size_t first_trailing_line_ = 0;
 };
 
-std::string name_of_coordinate(std::uint64_t vertex, int axis) {
-    return std::string(1, "xyz"[axis]) + " of vertex " + std::to_string(vertex);
-}
-
-Error OffBodyReader::bad_coordinate(std::uint64_t vertex, int axis, NumberStatus status) const {
-    return fail(
-        status == NumberStatus::kNonFinite ? ErrorCode::kOffNonFinite : ErrorCode::kOffBadNumber,
-        name_of_coordinate(vertex, axis) + ": expected a finite number, found " +
-            quoted_token(scanner_.peek_token()));
-}
-
-Error OffBodyReader::coordinate_too_large(std::uint64_t vertex, int axis) const {
-    std::ostringstream limit;
-    limit << options_.max_coordinate;
-    return fail(ErrorCode::kMeshScale, name_of_coordinate(vertex, axis) +
-                                           ": expected a magnitude of at most " + limit.str() +
-                                           ", found " + quoted_token(scanner_.peek_token()));
-}
-
 Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines) {
     Vec3 position;
-    for (int axis = 0; axis < 3; ++axis) {
+    double w = 1;
+    const int coordinates = header_.has_w ? 4 : 3;
+    for (int axis = 0; axis < coordinates; ++axis) {
         if (over_lines ? !scanner_.find_token() : scanner_.at_line_end()) {
             return fail(ErrorCode::kOffTruncated, "vertex " + std::to_string(vertex) +
-                                                      ": expected 3 coordinates, found " +
+                                                      ": expected " + std::to_string(coordinates) +
+                                                      " coordinates, found " +
                                                       std::to_string(axis));
         }
-        OffScanner before = scanner_;
-        const NumberStatus status = scanner_.read_double(position[axis]);
-        if (status != NumberStatus::kOk) return bad_coordinate(vertex, axis, status);
-        if (std::abs(position[axis]) > options_.max_coordinate) {
-            scanner_ = before;
-            return coordinate_too_large(vertex, axis);
+        double& value = axis < 3 ? position[axis] : w;
+        Result<void> read = builder_.read_coordinate(scanner_, vertex, axis, value);
+        if (!read) return at_line(scanner_.line(), read.error());
+    }
+    if (header_.has_w) {
+        position /= w;
+        if (!builder_.is_in_range(position)) {
+            return at_line(scanner_.line(), builder_.position_error(vertex, position));
         }
     }
-    mesh_.vertices.push_back(position);
+    builder_.add_vertex(position);
     return {};
 }
 
 Result<void> OffBodyReader::read_vertex_line(std::uint64_t vertex) {
     if (!scanner_.find_token()) return ends_early("vertex line", vertex, header_.vertices);
+    if (vertex % kVerticesBetweenLooks == 0 && builder_.cancelled()) {
+        return MeshBuilder::cancellation();
+    }
     if (Result<void> read = read_position(vertex, false); !read) return read;
     if (!scanner_.at_line_end()) {
         ++extended_vertices_;
@@ -171,18 +166,17 @@ Result<void> OffBodyReader::read_corners(std::uint64_t face, bool over_lines) {
     if (!scanner_.find_token()) return ends_early("face line", face, header_.faces);
     std::uint64_t count = 0;
     const NumberStatus status = scanner_.read_count(count);
-    if (status == NumberStatus::kTooLarge ||
-        (status == NumberStatus::kOk && count > options_.max_face_corners)) {
-        return fail(ErrorCode::kOffTooManyCorners,
-                    "face " + std::to_string(face) + ": expected at most " +
-                        std::to_string(options_.max_face_corners) + " corners, found " +
-                        (status == NumberStatus::kOk ? std::to_string(count)
-                                                     : quoted_token(scanner_.peek_token())));
+    if (status == NumberStatus::kTooLarge) {
+        return at_line(scanner_.line(),
+                       builder_.too_many_corners(quoted_token(scanner_.peek_token())));
     }
     if (status != NumberStatus::kOk) {
         return fail(ErrorCode::kOffBadNumber, "face " + std::to_string(face) +
                                                   ": expected its number of corners, found " +
                                                   quoted_token(scanner_.peek_token()));
+    }
+    if (Result<void> caps = builder_.check_corners(count); !caps) {
+        return at_line(scanner_.line(), caps.error());
     }
     corners_.clear();
     for (std::uint64_t corner = 0; corner < count; ++corner) {
@@ -204,27 +198,12 @@ Result<void> OffBodyReader::read_corners(std::uint64_t face, bool over_lines) {
 Result<void> OffBodyReader::read_face_line(std::uint64_t face) {
     if (Result<void> read = read_corners(face, false); !read) return read;
     scanner_.skip_rest_of_line();
-    return add_face(corners_);
+    return add_face();
 }
 
-Result<void> OffBodyReader::add_face(std::span<const std::uint32_t> corners) {
-    const std::uint32_t face = mesh_.face_count++;
-    if (corners.size() < 3) {
-        ++small_faces_;
-        return {};
-    }
-    if (mesh_.triangles.size() + corners.size() - 2 > options_.max_triangles) {
-        return fail(ErrorCode::kOffTooManyFaces,
-                    "face " + std::to_string(face) + ": expected at most " +
-                        std::to_string(options_.max_triangles) + " triangles in all, found more");
-    }
-    if (corners.size() == 3) {
-        mesh_.triangles.push_back({corners[0], corners[1], corners[2]});
-    } else {
-        triangulator_.append(corners, mesh_.vertices, mesh_.triangles);
-    }
-    mesh_.face_of_triangle.resize(mesh_.triangles.size(), face);
-    return {};
+Result<void> OffBodyReader::add_face() {
+    const Result<void> added = builder_.add_face(corners_);
+    return added ? added : at_line(scanner_.line(), added.error());
 }
 
 void OffBodyReader::note_trailing_text() {
@@ -236,77 +215,61 @@ void OffBodyReader::note_trailing_text() {
 }
 
 ReadMeshResult OffBodyReader::take(bool free_form) {
-    ReadMeshResult result;
-    const auto warn = [&](const char* code, std::size_t count, const std::string& message) {
-        if (count > 0) result.warnings.push_back({code, count, message});
-    };
     const bool announced =
         header_.has_normals || header_.has_colors || header_.has_texture_coordinates;
-    warn("header_missing", header_.has_word ? 0 : 1, "the file starts without the word OFF");
-    warn("edge_count_missing", header_.has_edge_count ? 0 : 1, "the number of edges is missing");
-    warn("free_form_lines", free_form ? 1 : 0,
-         "the file does not keep to one vertex or face a line");
-    warn("unannounced_vertex_values", announced ? 0 : extended_vertices_,
-         plural(extended_vertices_, "vertex line") + " with more than three coordinates");
-    warn("faces_under_three_corners", small_faces_,
-         plural(small_faces_, "face") + " with fewer than three corners");
-    warn("polygons_without_ears", triangulator_.fanned(),
-         plural(triangulator_.fanned(), "polygon") + " crossing or folded, cut as a fan");
-    warn("trailing_text", trailing_lines_,
-         plural(trailing_lines_, "line") + " after the last face, from line " +
-             std::to_string(first_trailing_line_));
-    result.mesh = std::move(mesh_);
-    return result;
+    builder_.warn("header_missing", header_.has_word ? 0 : 1,
+                  "the file starts without the word OFF");
+    builder_.warn("edge_count_missing", header_.has_edge_count ? 0 : 1,
+                  "the number of edges is missing");
+    builder_.warn("free_form_lines", free_form ? 1 : 0,
+                  "the file does not keep to one vertex or face a line");
+    builder_.warn("unannounced_vertex_values", announced ? 0 : extended_vertices_,
+                  plural(extended_vertices_, "vertex line") + " with more than three coordinates");
+    builder_.warn("trailing_text", trailing_lines_,
+                  plural(trailing_lines_, "line") + " after the last face, from line " +
+                      std::to_string(first_trailing_line_));
+    return builder_.take();
 }
 
-Result<void> check_caps(const OffHeader& header, const ReadMeshOptions& options) {
-    const auto over = [&](ErrorCode code, const char* noun, std::uint64_t found,
-                          std::uint64_t cap) -> Result<void> {
-        if (found <= cap) return {};
-        return {code, "line " + std::to_string(header.counts_line) + ": expected at most " +
-                          std::to_string(cap) + " " + noun + ", found " + std::to_string(found)};
-    };
-    if (Result<void> checked =
-            over(ErrorCode::kOffTooManyVertices, "vertices", header.vertices, options.max_vertices);
-        !checked) {
-        return checked;
-    }
-    return over(ErrorCode::kOffTooManyFaces, "faces", header.faces, options.max_faces);
-}
-
-/// Reads the text as a free sequence of numbers if that comes out even.
-std::optional<ReadMeshResult> try_free_form(const OffScanner& scanner, const OffHeader& header,
-                                            const ReadMeshOptions& options) {
+/// Reads the text as a free sequence of numbers, or as lines of which faces take more than one, if
+/// that comes out even.
+std::optional<ReadMeshResult> try_free_form(const TextScanner& scanner, const OffHeader& header,
+                                            const MeshBuilder& builder) {
     const int other_values =
         (header.has_normals ? 3 : 0) + (header.has_texture_coordinates ? 2 : 0);
     for (const int color_values : {4, 3}) {
-        OffBodyReader reader(scanner, header, options);
+        OffBodyReader reader(scanner, header, builder);
         if (reader.read_free_form(other_values + (header.has_colors ? color_values : 0))) {
             return reader.take(true);
         }
         if (!header.has_colors) break;
     }
+    OffBodyReader reader(scanner, header, builder);
+    if (reader.read_wrapped_faces()) return reader.take(true);
     return std::nullopt;
 }
 
-Result<ReadMeshResult> read_text(std::string_view text, const ReadMeshOptions& options) {
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {
-        OffScanner before(text.substr(0, nul));
-        while (before.find_token()) before.skip_rest_of_line();
-        return {ErrorCode::kOffBinary,
-                "line " + std::to_string(before.line()) + ": expected text, found a NUL byte"};
+Result<ReadMeshResult> read_off_text(std::string_view file, const MeshBuilder& builder) {
+    TextScanner start(file);
+    if (const auto header = read_off_header(start); header && header->is_binary) {
+        auto read =
+            read_off_binary(file.substr(file.size() - start.bytes_left()), *header, builder);
+        return read ? read : at_line(start.line() - 1, read.error());
     }
-    OffScanner scanner(text);
+    const std::string_view text = without_closing_braces(file);
+    if (std::optional<Error> binary = nul_byte(text, ErrorCode::kOffBinary)) return *binary;
+    TextScanner scanner(text);
     const Result<OffHeader> header = read_off_header(scanner);
     if (!header) return header.error();
-    if (Result<void> caps = check_caps(*header, options); !caps) return caps.error();
-
-    OffBodyReader reader(scanner, *header, options);
+    if (Result<void> caps = builder.check_counts(header->vertices, header->faces); !caps) {
+        return at_line(header->counts_line, caps.error());
+    }
+    OffBodyReader reader(scanner, *header, builder);
     const Result<void> read = reader.read_lines();
     if (read) return reader.take(false);
     // A line that ends early, or too few lines, is also what free-form text looks like.
     if (read.error().code == ErrorCode::kOffTruncated) {
-        if (auto free_form = try_free_form(scanner, *header, options)) return *std::move(free_form);
+        if (auto free_form = try_free_form(scanner, *header, builder)) return *std::move(free_form);
     }
     return read.error();
 }
@@ -314,8 +277,8 @@ Result<ReadMeshResult> read_text(std::string_view text, const ReadMeshOptions& o
 }  // namespace
 
 Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
-                                const ReadMeshOptions& options) {
-    Result<ReadMeshResult> result = read_text(text, options);
+                                const ReadMeshOptions& options, const std::stop_token& stop) {
+    Result<ReadMeshResult> result = read_off_text(text, MeshBuilder(kOffCodes, options, stop));
     if (result) return result;
     return {result.error().code, std::string(name) + ", " + result.error().message};
 }

@@ -3,47 +3,30 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstdint>
 
 #include "engine/mesh/off_header.h"
-#include "engine/mesh/off_scanner.h"
+#include "engine/mesh/ply_header.h"
+#include "engine/mesh/read_obj.h"
+#include "engine/mesh/read_stl.h"
+#include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
 namespace {
-
-bool is_binary_stl(std::string_view bytes) {
-    constexpr std::size_t kHeader = 84;
-    constexpr std::size_t kTriangle = 50;
-    if (bytes.size() < kHeader) return false;
-    std::uint64_t triangles = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        triangles |= std::uint64_t{static_cast<unsigned char>(bytes[80 + i])} << (8 * i);
-    }
-    return triangles > 0 && bytes.size() == kHeader + kTriangle * triangles;
-}
 
 /// The other objects of Geomview, of which OFF is one, by the first word of their files.
 bool is_geomview(std::string_view bytes) {
     constexpr std::array<std::string_view, 10> kWords = {
         "LIST", "INST", "VECT", "SKEL", "MESH", "QUAD", "BEZ", "TLIST", "SPHERE", "appearance"};
-    OffScanner scanner(bytes);
+    TextScanner scanner(bytes);
     if (!scanner.find_token()) return false;
     std::string_view token = scanner.peek_token();
     if (token.starts_with('{')) {  // an object within braces
         scanner.advance(1);
         if (!scanner.find_token()) return false;
         token = scanner.peek_token();
-        if (token == "=" || looks_like_off(token)) return true;
+        if (token == "=") return true;
     }
     return std::find(kWords.begin(), kWords.end(), token) != kWords.end();
-}
-
-bool is_obj(std::string_view bytes) {
-    constexpr std::array<std::string_view, 11> kKeywords = {"v", "vn", "vt", "vp",     "f",     "o",
-                                                            "g", "s",  "l",  "mtllib", "usemtl"};
-    OffScanner scanner(bytes);
-    if (!scanner.find_token()) return false;
-    return std::find(kKeywords.begin(), kKeywords.end(), scanner.peek_token()) != kKeywords.end();
 }
 
 }  // namespace
@@ -60,20 +43,19 @@ ModelFormat recognise_format(std::string_view bytes) {
     if (bytes.starts_with("PK\x03\x04")) return ModelFormat::kThreeMf;
     if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
     if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return ModelFormat::kPly;
+    if (looks_like_ply(bytes)) return ModelFormat::kPly;
     if (looks_like_off(bytes)) return ModelFormat::kOff;
+    if (resembles_binary_stl(bytes)) return ModelFormat::kStlBinary;
+    if (looks_like_stl_text(bytes)) return ModelFormat::kStlText;
 
     const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const std::string_view text = first == std::string_view::npos ? "" : start.substr(first);
-    if (text.starts_with("solid") && (mentions("facet") || mentions("endsolid"))) {
-        return ModelFormat::kStlText;
-    }
     if (text.starts_with("{") && mentions("\"asset\"")) return ModelFormat::kGltfText;
     if (text.starts_with("<?xml") || text.starts_with("<COLLADA") || text.starts_with("<X3D")) {
         return ModelFormat::kXml;
     }
     if (is_geomview(bytes)) return ModelFormat::kGeomview;
-    return is_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
+    return looks_like_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
 }
 
 std::string_view to_string(ModelFormat format) {

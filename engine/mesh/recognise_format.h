@@ -19,7 +19,7 @@ enum class ModelFormat {
     kXml,      ///< COLLADA, X3D and AMF
     kFbx,
     kStep,
-    kGeomview,  ///< objects of other kinds, and OFF within braces
+    kGeomview,  ///< objects of other kinds than OFF
 };
 
 /// What the bytes look like, whatever the file is called.

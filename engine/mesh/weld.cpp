@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/mesh/measures.h"
+#include "engine/mesh/vertex_table.h"
 
 namespace ossuary::mesh {
 namespace {
@@ -18,21 +19,15 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
     return hash ^ (hash >> 29);
 }
 
-/// The smallest vertex index at each position, by open addressing.
+/// The smallest vertex index at each position.
 std::vector<std::uint32_t> merge_equal(const std::vector<Vec3>& vertices) {
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), kNone);
-    const std::size_t mask = table.size() - 1;
+    VertexTable table(vertices.size());
+    std::vector<std::uint32_t> first;
     std::vector<std::uint32_t> target(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        std::uint64_t hash = 0;
-        // Adding zero makes -0 and 0 the same bits.
-        for (const double x : vertices[v]) hash = mix(hash, std::bit_cast<std::uint64_t>(x + 0.0));
-        std::size_t slot = (hash >> 7) & mask;
-        while (table[slot] != kNone && vertices[table[slot]] != vertices[v]) {
-            slot = (slot + 1) & mask;
-        }
-        if (table[slot] == kNone) table[slot] = v;
-        target[v] = table[slot];
+        const std::uint32_t number = table.number_of(vertices[v]);
+        if (number == first.size()) first.push_back(v);
+        target[v] = first[number];
     }
     return target;
 }

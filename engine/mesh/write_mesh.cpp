@@ -1,8 +1,10 @@
 #include "engine/mesh/write_mesh.h"
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <fstream>
+#include <vector>
 
 namespace ossuary::mesh {
 namespace {
@@ -31,6 +33,54 @@ void append_corners(std::string& text, const TriangleMesh::Triangle& triangle,
     text += '\n';
 }
 
+template <typename Number>
+void append_bytes(std::string& bytes, Number number) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
+
+/// The triangles of each group, by the groups' numbers; all of them as one where there are none.
+std::vector<std::vector<std::uint32_t>> members_of_groups(const TriangleMesh& mesh,
+                                                          std::span<const std::uint32_t> groups) {
+    std::vector<std::vector<std::uint32_t>> members(1);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t group = groups.empty() ? 0 : groups[t];
+        if (group >= members.size()) members.resize(std::size_t{group} + 1);
+        members[group].push_back(t);
+    }
+    return members;
+}
+
+Vec3f normal_of(const TriangleMesh& mesh, std::size_t triangle) {
+    const auto [a, b, c] = mesh.corners(triangle);
+    const Vec3 normal = (b - a).cross(c - a);
+    const double length = normal.norm();
+    return length > 0 ? Vec3f((normal / length).cast<float>()) : Vec3f(Vec3f::Zero());
+}
+
+std::string to_binary_stl(const TriangleMesh& mesh) {
+    constexpr std::size_t kHeader = 80;
+    std::string stl(kHeader, '\0');
+    append_bytes(stl, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (const float x : normal_of(mesh, t)) append_bytes(stl, x);
+        for (const Vec3& corner : mesh.corners(t)) {
+            for (const double x : corner) append_bytes(stl, static_cast<float>(x));
+        }
+        append_bytes(stl, std::uint16_t{0});
+    }
+    return stl;
+}
+
+void append_float_position(std::string& text, const Vec3f& position) {
+    for (const float x : position) {
+        text += ' ';
+        append_number(text, x);
+    }
+    text += '\n';
+}
+
 Result<void> write_text(const std::string& text, const std::filesystem::path& path) {
     std::ofstream file(path, std::ios::binary);
     file.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -41,29 +91,85 @@ Result<void> write_text(const std::string& text, const std::filesystem::path& pa
 
 }  // namespace
 
-std::string to_off(const TriangleMesh& mesh) {
+std::string to_off(const TriangleMesh& mesh, std::span<const Colour> colours) {
     std::string text = "OFF\n";
     append_number(text, mesh.vertices.size());
     text += ' ';
     append_number(text, mesh.triangles.size());
     text += " 0\n";
     for (const Vec3& vertex : mesh.vertices) append_position(text, vertex);
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         text += '3';
-        append_corners(text, triangle, 0);
+        append_corners(text, mesh.triangles[t], 0);
+        if (colours.empty()) continue;
+        text.pop_back();
+        for (const std::uint8_t channel : colours[t]) {
+            text += ' ';
+            append_number(text, std::uint32_t{channel});
+        }
+        text += '\n';
     }
     return text;
 }
 
-std::string to_obj(const TriangleMesh& mesh) {
+std::string to_obj(const TriangleMesh& mesh, std::span<const std::uint32_t> groups,
+                   const std::string& name) {
     std::string text;
     for (const Vec3& vertex : mesh.vertices) {
         text += "v ";
         append_position(text, vertex);
     }
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-        text += 'f';
-        append_corners(text, triangle, 1);
+    const auto members = members_of_groups(mesh, groups);
+    for (std::size_t group = 0; group < members.size(); ++group) {
+        if (!groups.empty()) text += "g " + name + std::to_string(group) + "\n";
+        for (const std::uint32_t t : members[group]) {
+            text += 'f';
+            append_corners(text, mesh.triangles[t], 1);
+        }
+    }
+    return text;
+}
+
+std::string to_ply(const TriangleMesh& mesh, std::span<const Colour> colours) {
+    std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string(mesh.vertices.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+                      std::to_string(mesh.triangles.size()) +
+                      "\nproperty list uchar uint vertex_indices\n";
+    if (!colours.empty()) {
+        ply += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    }
+    ply += "end_header\n";
+    for (const Vec3& vertex : mesh.vertices) {
+        for (const double coordinate : vertex) append_bytes(ply, coordinate);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        append_bytes(ply, std::uint8_t{3});
+        for (const std::uint32_t corner : mesh.triangles[t]) append_bytes(ply, corner);
+        if (colours.empty()) continue;
+        for (const std::uint8_t channel : colours[t]) append_bytes(ply, channel);
+    }
+    return ply;
+}
+
+std::string to_stl(const TriangleMesh& mesh, std::span<const std::uint32_t> groups,
+                   const std::string& name) {
+    if (groups.empty()) return to_binary_stl(mesh);
+    std::string text;
+    const auto members = members_of_groups(mesh, groups);
+    for (std::size_t group = 0; group < members.size(); ++group) {
+        text += "solid " + name + std::to_string(group) + "\n";
+        for (const std::uint32_t t : members[group]) {
+            text += "facet normal";
+            append_float_position(text, normal_of(mesh, t));
+            text += "outer loop\n";
+            for (const Vec3& corner : mesh.corners(t)) {
+                text += "vertex";
+                append_float_position(text, corner.cast<float>());
+            }
+            text += "endloop\nendfacet\n";
+        }
+        text += "endsolid " + name + std::to_string(group) + "\n";
     }
     return text;
 }

@@ -49,7 +49,8 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     if (const auto snapshot = searcher->snapshot(); !snapshot.ok()) return snapshot.error();
 
     Stopwatch watch;
-    const Result<mesh::ReadMeshResult> query = mesh::read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> query =
+        mesh::read_mesh(options.model_path, {}, session.stop);
     if (!query.ok()) return query.error();
     const double read_ms = watch.elapsed_ms();
 

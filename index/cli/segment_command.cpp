@@ -9,6 +9,7 @@
 #include "engine/decomposition/seg_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "engine/mesh/weld.h"
+#include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/write_file.h"
@@ -56,18 +57,23 @@ Result<void> write_out(const std::string& out, const mesh::TriangleMesh& mesh,
                        const decomposition::Segmentation& faces) {
     const std::string extension = std::filesystem::path(out).extension().string();
     if (extension == ".seg") return write_file(out, decomposition::to_seg(faces));
-    if (extension == ".ply") {
-        return write_file(out, index::coloured_ply(mesh, decomposition.segmentation));
-    }
+    const std::vector<std::uint32_t>& parts = decomposition.segmentation.labels;
+    const auto colours = [&] { return index::part_colours(decomposition.segmentation); };
+    if (extension == ".ply") return write_file(out, mesh::to_ply(mesh, colours()));
+    if (extension == ".off") return write_file(out, mesh::to_off(mesh, colours()));
+    if (extension == ".obj") return write_file(out, mesh::to_obj(mesh, parts, "part"));
+    if (extension == ".stl") return write_file(out, mesh::to_stl(mesh, parts, "part"));
     if (extension == ".glb") {
         const mesh::TriangleMesh welded = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
         const decomposition::Rig rig = decomposition::make_rig(welded, decomposition.skeleton);
         const std::string name = std::filesystem::path(out).stem().string();
         return write_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
     }
-    return {
-        ErrorCode::kInvalidArgument,
-        fmt::format("{}: parts are written as .seg (labels), .ply (colours) or .glb (a rig)", out)};
+    return {ErrorCode::kInvalidArgument,
+            fmt::format(
+                "{}: parts are written as .seg (labels), .ply or .off (colours), .obj (groups), "
+                ".stl (solids) or .glb (a rig)",
+                out)};
 }
 
 void print_parts(const nlohmann::json& document) {
@@ -94,7 +100,7 @@ Result<ExitCode> run(Options options, const Session& session) {
     if (!method.ok()) return method.error();
     options.decompose.method = *method;
     Stopwatch watch;
-    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path, {}, session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<decomposition::Decomposition> decomposition =
@@ -131,8 +137,9 @@ void add_segment(CLI::App& app, Session& session) {
     command->add_option("MODEL", options->model_path, "A model file")->required();
     command
         ->add_option("--out", options->out,
-                     "Write .seg (the part of each face, a line each), .ply (coloured by part) "
-                     "or .glb (rigged by the skeleton); may be given for each")
+                     "Write .seg (the part of each face, a line each), .ply or .off (coloured "
+                     "by part), .obj (a group each), .stl (a solid each) or .glb (rigged by the "
+                     "skeleton); may be given for each")
         ->type_name("FILE")
         ->expected(1)
         ->take_all();

@@ -74,7 +74,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
     Stopwatch watch;
-    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path);
+    const Result<mesh::ReadMeshResult> read = mesh::read_mesh(options.model_path, {}, session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(

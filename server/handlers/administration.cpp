@@ -36,7 +36,7 @@ Checked<Response> add_model(Service& service, const Request& request) {
     // A file that cannot be read is refused here and now rather than in a job later.
     mesh::ReadMeshOptions caps;
     caps.max_bytes = service.options.http.max_body;
-    const auto mesh = mesh::read_mesh(upload->bytes, upload->name, caps);
+    const auto mesh = mesh::read_mesh(upload->bytes, upload->name, caps, request.stop);
     if (!mesh) return fail(mesh.error());
 
     const std::string* class_name = find_field(request.head.parameters, "class");

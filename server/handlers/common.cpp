@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "index/json_text.h"
 #include "server/handlers/handlers.h"
@@ -29,8 +32,16 @@ std::optional<Problem> refuse_parameters(const RequestHead& head) {
 
 std::optional<Problem> judge_media_type(const RequestHead& head) {
     const std::string type = media_type(head.header("Content-Type"));
-    if (type.starts_with("model/") || type == "application/octet-stream" || type == "text/plain" ||
-        type == "multipart/form-data" || type.empty()) {
+    // Besides those of model/: what systems and programs call STL, OBJ and PLY files.
+    constexpr std::array<std::string_view, 7> kTypes = {"",
+                                                        "multipart/form-data",
+                                                        "application/octet-stream",
+                                                        "text/plain",
+                                                        "text/prs.wavefront-obj",
+                                                        "application/vnd.ms-pki.stl",
+                                                        "application/sla"};
+    if (type.starts_with("model/") ||
+        std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end()) {
         return std::nullopt;
     }
     return problem(

@@ -51,7 +51,7 @@ Checked<Response> search(Service& service, const Request& request) {
     Stopwatch watch;
     mesh::ReadMeshOptions caps;
     caps.max_bytes = service.options.http.max_body;
-    const auto query = mesh::read_mesh(upload->bytes, upload->name, caps);
+    const auto query = mesh::read_mesh(upload->bytes, upload->name, caps, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
     auto result = service.searcher.search(query->mesh, parameters.options, request.stop);

@@ -20,7 +20,8 @@ TEST(ColouredParts, WritesVerticesAndColouredFaces) {
     const mesh::TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 2, 3});
     std::vector<std::uint32_t> labels(box.triangles.size(), 0);
     labels.back() = 1;
-    const std::string ply = coloured_ply(box, decomposition::dense_segmentation(labels));
+    const std::string ply =
+        mesh::to_ply(box, part_colours(decomposition::dense_segmentation(labels)));
     const std::size_t body = ply.find("end_header\n") + std::strlen("end_header\n");
     constexpr std::size_t kVertexBytes = 24, kFaceBytes = 1 + 12 + 3;
     ASSERT_EQ(ply.size(),

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <thread>
 
+#include "engine/mesh/read_mesh.h"
+#include "engine/mesh/write_mesh.h"
 #include "tests/server/test_server.h"
 
 namespace ossuary::test {
@@ -105,7 +107,8 @@ TEST_F(Search, RefusesFormsWithoutTheModel) {
 
 TEST_F(Search, TakesTheContentTypesOfModels) {
     for (const char* type :
-         {"model/off", "application/octet-stream", "text/plain; charset=utf-8"}) {
+         {"model/off", "application/octet-stream", "text/plain; charset=utf-8", "model/stl",
+          "text/prs.wavefront-obj", "application/sla", "application/vnd.ms-pki.stl"}) {
         EXPECT_EQ(server_
                       .ask(post("/v1/search?limit=1", tree(),
                                 "Content-Type: " + std::string(type) + "\r\n"))
@@ -115,6 +118,22 @@ TEST_F(Search, TakesTheContentTypesOfModels) {
     }
     EXPECT_EQ(server_.code(post("/v1/search", tree(), "Content-Type: image/png\r\n"), 415),
               "media_type_unsupported");
+}
+
+TEST_F(Search, FindsAModelInWhateverFormatItComes) {
+    const auto read = mesh::read_mesh(tree(), "tree");
+    ASSERT_TRUE(read) << read.error().message;
+    const auto best = [&](const std::string& bytes) {
+        return server_.json(post("/v1/search?limit=1", bytes), 200)["hits"][0];
+    };
+    const auto expected = best(tree());
+    for (const std::string& bytes :
+         {mesh::to_stl(read->mesh), mesh::to_obj(read->mesh), mesh::to_ply(read->mesh)}) {
+        const auto found = best(bytes);
+        EXPECT_EQ(found["id"], expected["id"]);
+        EXPECT_NEAR(found["distance"].get<double>(), expected["distance"].get<double>(), 0.02);
+    }
+    EXPECT_EQ(server_.code(post("/v1/search", "ply\nformat ascii 2\nvertex\n"), 422), "ply_header");
 }
 
 TEST_F(Search, NamesTheParameterAtFault) {

@@ -63,6 +63,7 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
         bounds: kMesh.bounds,
         surface_area: 1,
         indexed_at: '2026-01-01T00:00:00Z',
+        up: 'y',
         warnings: [],
         links: {
             mesh: `/v1/models/${id}/mesh`,

@@ -1,4 +1,4 @@
-#include "tests/engine/mesh/off_corpus.h"
+#include "tests/engine/mesh/model_corpus.h"
 
 #include <gtest/gtest.h>
 
@@ -9,18 +9,12 @@
 namespace ossuary::test {
 namespace {
 
-std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings) {
-    std::map<std::string, std::size_t> counts;
-    for (const mesh::MeshWarning& warning : warnings) counts[warning.code] += warning.count;
-    return counts;
-}
+std::string case_name(const testing::TestParamInfo<ModelCase>& info) { return info.param.name; }
 
-std::string case_name(const testing::TestParamInfo<OffCase>& info) { return info.param.name; }
-
-class OffCorpusGood : public testing::TestWithParam<OffCase> {};
+class OffCorpusGood : public testing::TestWithParam<ModelCase> {};
 
 TEST_P(OffCorpusGood, IsReadAsExpected) {
-    const OffCase& expected = GetParam();
+    const ModelCase& expected = GetParam();
     const Result<mesh::ReadMeshResult> read = mesh::read_mesh(expected.bytes, expected.name);
     ASSERT_TRUE(read) << read.error().message;
     const mesh::TriangleMesh& mesh = read->mesh;
@@ -45,17 +39,20 @@ TEST_P(OffCorpusGood, ComesBackTheSameAfterWriting) {
     EXPECT_EQ(again->mesh.vertices, read->mesh.vertices);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusGood, testing::ValuesIn(off_cases("ok")), case_name);
+INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusGood, testing::ValuesIn(model_cases("off", "ok")),
+                         case_name);
 
-class OffCorpusBad : public testing::TestWithParam<OffCase> {};
+class OffCorpusBad : public testing::TestWithParam<ModelCase> {};
 
 TEST_P(OffCorpusBad, IsRefusedAsExpected) {
-    const OffCase& expected = GetParam();
+    const ModelCase& expected = GetParam();
     const Result<mesh::ReadMeshResult> read = mesh::read_mesh(expected.bytes, "folder/model.off");
     ASSERT_FALSE(read);
     const std::string& message = read.error().message;
     EXPECT_EQ(to_string(read.error().code), expected.code) << message;
-    EXPECT_NE(message.find(expected.says), std::string::npos) << message;
+    for (const std::string& part : expected.says) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
     EXPECT_NE(message.find("expected"), std::string::npos) << message;
     EXPECT_EQ(message.rfind("folder/model.off", 0), 0u) << message;
     const std::string line = "line " + std::to_string(expected.line) + ":";
@@ -63,7 +60,8 @@ TEST_P(OffCorpusBad, IsRefusedAsExpected) {
     for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusBad, testing::ValuesIn(off_cases("bad")), case_name);
+INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusBad, testing::ValuesIn(model_cases("off", "bad")),
+                         case_name);
 
 // ---- every good file once more, written differently ----
 
@@ -83,6 +81,7 @@ std::string with_newlines(const std::string& text, const std::string& newline) {
 
 TEST_P(OffCorpusGood, MeansTheSameWithOtherLineEndsAndComments) {
     const std::string& bytes = GetParam().bytes;
+    if (bytes.find('\0') != std::string::npos) return;  // binary, and has no lines
     const Result<mesh::ReadMeshResult> read = mesh::read_mesh(bytes, "original");
     ASSERT_TRUE(read) << read.error().message;
     for (const std::string newline : {"\n", "\r\n", "\r", "\n\n", " \n", " # 1 2 3 OFF\n"}) {

@@ -42,10 +42,12 @@ TEST_F(ReadMesh, FollowsTheContentsNotTheName) {
     ASSERT_TRUE(mesh::write_off(cube_mesh(), folder_ / "cube.stl"));
     EXPECT_TRUE(mesh::read_mesh(folder_ / "cube.stl"));
     ASSERT_TRUE(mesh::write_obj(cube_mesh(), folder_ / "cube.off"));
-    const auto read = mesh::read_mesh(folder_ / "cube.off");
+    EXPECT_TRUE(mesh::read_mesh(folder_ / "cube.off"));
+    std::ofstream(folder_ / "cube.obj") << "ISO-10303-21;\nHEADER;\n";
+    const auto read = mesh::read_mesh(folder_ / "cube.obj");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kFormatUnsupported);
-    EXPECT_NE(read.error().message.find("OBJ"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.find("STEP"), std::string::npos) << read.error().message;
 }
 
 TEST_F(ReadMesh, TellsMissingFromUnreadable) {
@@ -81,10 +83,11 @@ TEST_F(ReadMesh, RefusesSixtyMegabytesOfNonsenseQuickly) {
 }
 
 TEST_F(ReadMesh, PicksModelFilesByExtensionInAnyCase) {
-    for (const char* name : {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off"}) {
+    for (const char* name : {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off",
+                             "f.stl", "F.STL", "g.obj", "h.ply"}) {
         EXPECT_TRUE(mesh::is_model_file(name)) << name;
     }
-    for (const char* name : {"a.stl", "off", ".off", "a.off.gz", "a.offx", "a.expect", "a", ""}) {
+    for (const char* name : {"a.step", "off", ".off", "a.off.gz", "a.offx", "a.expect", "a", ""}) {
         EXPECT_FALSE(mesh::is_model_file(name)) << name;
     }
 }

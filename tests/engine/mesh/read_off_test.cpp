@@ -8,7 +8,7 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/write_mesh.h"
 #include "tests/engine/mesh/built_meshes.h"
-#include "tests/engine/mesh/off_corpus.h"
+#include "tests/engine/mesh/model_corpus.h"
 
 namespace ossuary::test {
 namespace {
@@ -32,14 +32,14 @@ TEST(ReadOff, ReadsPositionsExactly) {
 }
 
 TEST(ReadOff, SkipsNormalsColorsAndTextureCoordinatesWithoutTakingThemForPositions) {
-    for (const auto& off_case : off_cases("ok")) {
-        if (off_case.vertices != 3 || off_case.bytes.find("OFF") == std::string::npos) continue;
-        if (off_case.name.find("off") == std::string::npos) continue;
-        const auto read = mesh::read_off(off_case.bytes, off_case.name);
+    for (const auto& model_case : model_cases("off", "ok")) {
+        if (model_case.vertices != 3 || model_case.bytes.find("OFF") == std::string::npos) continue;
+        if (model_case.name.find("off") == std::string::npos) continue;
+        const auto read = mesh::read_off(model_case.bytes, model_case.name);
         ASSERT_TRUE(read) << read.error().message;
-        EXPECT_EQ(read->mesh.vertices[0], Vec3(0, 0, 0)) << off_case.name;
-        EXPECT_EQ(read->mesh.vertices[1], Vec3(1, 0, 0)) << off_case.name;
-        EXPECT_EQ(read->mesh.vertices[2], Vec3(0, 1, 0)) << off_case.name;
+        EXPECT_EQ(read->mesh.vertices[0], Vec3(0, 0, 0)) << model_case.name;
+        EXPECT_EQ(read->mesh.vertices[1], Vec3(1, 0, 0)) << model_case.name;
+        EXPECT_EQ(read->mesh.vertices[2], Vec3(0, 1, 0)) << model_case.name;
     }
 }
 
@@ -83,15 +83,15 @@ TEST(ReadOff, TriangulatesPolygonsWithoutLosingArea) {
         {"cube_of_quads", 6.0},        {"polygon_with_straight_corners", 4.0},
         {"polygon_bridged_hole", 32.0}};
     std::size_t seen = 0;
-    for (const auto& off_case : off_cases("ok")) {
-        const auto expected = areas.find(off_case.name);
+    for (const auto& model_case : model_cases("off", "ok")) {
+        const auto expected = areas.find(model_case.name);
         if (expected == areas.end()) continue;
         ++seen;
-        const auto read = mesh::read_off(off_case.bytes, off_case.name);
+        const auto read = mesh::read_off(model_case.bytes, model_case.name);
         ASSERT_TRUE(read) << read.error().message;
         // No area twice, none outside: the sum of the parts is the whole only if none overlap.
         EXPECT_NEAR(mesh::measure(read->mesh).surface_area, expected->second, 1e-12)
-            << off_case.name;
+            << model_case.name;
     }
     EXPECT_EQ(seen, areas.size());
 }
@@ -106,12 +106,12 @@ TEST(ReadOff, NumbersTheSourceFaceOfEachTriangle) {
 }
 
 TEST(ReadOff, GivesACodedErrorOrAMeshForEveryTruncationOfEveryGoodFile) {
-    for (const auto& off_case : off_cases("ok")) {
-        for (std::size_t length = 0; length < off_case.bytes.size(); ++length) {
-            const auto read = mesh::read_off(off_case.bytes.substr(0, length), off_case.name);
+    for (const auto& model_case : model_cases("off", "ok")) {
+        for (std::size_t length = 0; length < model_case.bytes.size(); ++length) {
+            const auto read = mesh::read_off(model_case.bytes.substr(0, length), model_case.name);
             if (read) {
-                ASSERT_EQ(read->mesh.vertices.size(), off_case.vertices) << off_case.name;
-                ASSERT_LE(read->mesh.triangles.size(), off_case.triangles) << off_case.name;
+                ASSERT_EQ(read->mesh.vertices.size(), model_case.vertices) << model_case.name;
+                ASSERT_LE(read->mesh.triangles.size(), model_case.triangles) << model_case.name;
             } else {
                 ASSERT_NE(read.error().message.find("line "), std::string::npos);
                 const std::string code(to_string(read.error().code));
@@ -138,9 +138,9 @@ TEST(ReadOff, FindsEveryTruncationThatCutsOffALine) {
 TEST(ReadOff, SurvivesRandomDamage) {
     std::mt19937_64 random(7);
     const std::string alphabet = "0123456789-+.eE#\n\r \tOFFnan\x80\xff/,";
-    for (const auto& off_case : off_cases("ok")) {
+    for (const auto& model_case : model_cases("off", "ok")) {
         for (int round = 0; round < 200; ++round) {
-            std::string text = off_case.bytes;
+            std::string text = model_case.bytes;
             const std::size_t changes = 1 + random() % 4;
             for (std::size_t i = 0; i < changes && !text.empty(); ++i) {
                 const std::size_t at = random() % text.size();
@@ -158,7 +158,7 @@ TEST(ReadOff, SurvivesRandomDamage) {
                         text.insert(at, text.substr(random() % text.size(), random() % 20));
                 }
             }
-            const auto read = mesh::read_off(text, off_case.name);
+            const auto read = mesh::read_off(text, model_case.name);
             if (!read) continue;
             for (const auto& triangle : read->mesh.triangles) {
                 for (const auto vertex : triangle) ASSERT_LT(vertex, read->mesh.vertices.size());

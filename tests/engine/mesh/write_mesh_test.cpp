@@ -4,8 +4,10 @@
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
+#include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
 #include "tests/engine/mesh/built_meshes.h"
 
@@ -53,6 +55,75 @@ TEST(WriteObj, CountsFromOne) {
     }
     EXPECT_EQ(vertices, 4u);
     EXPECT_EQ(faces, 4u);
+}
+
+/// A mesh whose coordinates floats hold, so that STL keeps them.
+mesh::TriangleMesh float_sphere() {
+    mesh::TriangleMesh sphere = sphere_mesh(3);
+    for (Vec3& vertex : sphere.vertices) {
+        for (double& x : vertex) {
+            // GCC 12 leaves out the rounding where it vectorises the loop.
+            const volatile float rounded = static_cast<float>(x);
+            x = double{rounded};
+        }
+    }
+    return sphere;
+}
+
+TEST(WriteMesh, ReadsBackTheSameTrianglesInEveryFormat) {
+    const mesh::TriangleMesh sphere = float_sphere();
+    for (const std::string& bytes :
+         {mesh::to_off(sphere), mesh::to_obj(sphere), mesh::to_ply(sphere), mesh::to_stl(sphere)}) {
+        const auto read = mesh::read_mesh(bytes, "written");
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_TRUE(read->warnings.empty());
+        ASSERT_EQ(read->mesh.triangles.size(), sphere.triangles.size());
+        EXPECT_EQ(read->mesh.vertices.size(), sphere.vertices.size());
+        for (std::size_t t = 0; t < sphere.triangles.size(); ++t) {
+            ASSERT_EQ(read->mesh.corners(t), sphere.corners(t)) << t;
+        }
+    }
+}
+
+TEST(WriteMesh, KeepsEveryBitOfDoublesInPly) {
+    const mesh::TriangleMesh sphere = sphere_mesh(2);
+    const auto read = mesh::read_mesh(mesh::to_ply(sphere), "written");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->mesh.vertices, sphere.vertices);
+    EXPECT_EQ(read->mesh.triangles, sphere.triangles);
+}
+
+TEST(WriteMesh, ReadsBackColouredFacesAndGroups) {
+    const mesh::TriangleMesh cube = cube_mesh();
+    const std::size_t count = cube.triangles.size();
+    const std::vector<mesh::Colour> colours(count, mesh::Colour{255, 128, 0});
+    std::vector<std::uint32_t> groups(count, 0);
+    for (std::size_t t = 0; t < count; ++t) groups[t] = static_cast<std::uint32_t>(t % 3);
+    const std::string obj = mesh::to_obj(cube, groups, "part");
+    const std::string stl = mesh::to_stl(cube, groups, "part");
+    EXPECT_NE(obj.find("g part2\n"), std::string::npos);
+    EXPECT_NE(stl.find("endsolid part2\n"), std::string::npos);
+    for (const std::string& bytes :
+         {mesh::to_off(cube, colours), mesh::to_ply(cube, colours), obj, stl}) {
+        const auto read = mesh::read_mesh(bytes, "written");
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_TRUE(read->warnings.empty());
+        EXPECT_EQ(read->mesh.triangles.size(), count);
+        EXPECT_EQ(read->mesh.vertices.size(), cube.vertices.size());
+        EXPECT_DOUBLE_EQ(mesh::measure(read->mesh).surface_area, mesh::measure(cube).surface_area);
+    }
+}
+
+TEST(WriteStl, GivesNormalsByTheRightHandRule) {
+    const mesh::TriangleMesh tetrahedron = corner_tetrahedron();
+    const std::string stl = mesh::to_stl(tetrahedron);
+    for (std::size_t t = 0; t < tetrahedron.triangles.size(); ++t) {
+        Vec3f normal;
+        std::memcpy(normal.data(), stl.data() + 84 + 50 * t, sizeof(normal));
+        const auto [a, b, c] = tetrahedron.corners(t);
+        const Vec3 expected = (b - a).cross(c - a).normalized();
+        EXPECT_LT((normal.cast<double>() - expected).norm(), 1e-6);
+    }
 }
 
 TEST(WriteOff, SaysWhenAFileCannotBeWritten) {

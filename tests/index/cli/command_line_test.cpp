@@ -263,6 +263,32 @@ TEST_F(CommandLineTest, SkeletonWritesObjAndJsonAndRefusesOtherEndings) {
     EXPECT_FALSE(std::filesystem::exists(path("s.gif")));
 }
 
+TEST_F(CommandLineTest, SegmentWritesMeshesThatAreIndexedAndFoundAgain) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const std::string model = model_files()[0];
+    const std::string folder = path("written");
+    std::filesystem::create_directory(folder);
+    std::vector<std::string> command = {"segment", model};
+    for (const char* extension : {"off", "obj", "ply", "stl"}) {
+        command.insert(command.end(), {"--out", folder + "/parts_" + extension + "." + extension});
+    }
+    ASSERT_EQ(run(command).exit_status, 0);
+    EXPECT_NE(run({"segment", model, "--out", path("parts.gif")}).exit_status, 0);
+    const nlohmann::json indexed =
+        run({"index", "--index", path("written.ossuary"), "--resolution", "24", "--json", folder})
+            .json();
+    EXPECT_EQ(indexed.at("failed"), 0);
+    EXPECT_EQ(indexed.at("indexed"), 4);
+    for (const char* extension : {"off", "obj", "ply", "stl"}) {
+        const std::string query = folder + "/parts_" + extension + "." + extension;
+        const nlohmann::json found =
+            run({"search", "--index", index_file(), query, "--json"}).json();
+        EXPECT_EQ(found.at("hits").at(0).at("name"), std::filesystem::path(model).stem().string());
+        const nlohmann::json compared = run({"compare", model, query, "--json"}).json();
+        EXPECT_LE(compared.at("distance").get<double>(), 0.02) << extension;
+    }
+}
+
 TEST_F(CommandLineTest, RemoveTakesAllThatAreNamedOrNothing) {
     ASSERT_EQ(build_index().exit_status, 0);
     const std::string first = model_files()[0].stem();

@@ -12,8 +12,8 @@ export interface paths {
         put?: never;
         /**
          * Rank the collection against an uploaded model
-         * @description The body is a model file (today: OFF and its relatives), raw or as the field `model` of a
-         *     multipart form; the format follows the contents. Nothing is stored.
+         * @description The body is a model file (OFF and its relatives, STL, OBJ or PLY, text or binary), raw or as the
+         *     field `model` of a multipart form; the format follows the contents. Nothing is stored.
          */
         post: operations["search"];
         delete?: never;
@@ -700,7 +700,7 @@ export interface components {
          * @description Stable; new ones may be added.
          * @enum {string}
          */
-        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "volume_too_large" | "mesh_scale" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
+        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "volume_too_large" | "mesh_scale" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
     };
     responses: {
         /** @description What `If-None-Match` names is still true. */
@@ -777,7 +777,7 @@ export interface components {
         };
         /**
          * @description The body is longer than the server takes (`payload_too_large`), or the model has more vertices,
-         *     faces or corners than it takes (`off_too_many_vertices`, …).
+         *     faces or corners than it takes (`off_too_many_vertices`, `stl_too_many_faces`, …).
          */
         TooLarge: {
             headers: {
@@ -800,8 +800,8 @@ export interface components {
             };
         };
         /**
-         * @description The model cannot be read or has no skeleton; `detail` names the line and what was expected
-         *     (`off_truncated`, `off_bad_number`, `mesh_empty`, …).
+         * @description The model cannot be read or has no skeleton; `detail` names the line, the byte or the triangle,
+         *     and what was expected (`off_truncated`, `ply_header`, `obj_index_out_of_range`, `mesh_empty`, …).
          */
         UnusableModel: {
             headers: {
@@ -856,6 +856,9 @@ export interface components {
                 "application/octet-stream": unknown;
                 "text/plain": unknown;
                 "model/*": unknown;
+                "text/prs.wavefront-obj": unknown;
+                "application/vnd.ms-pki.stl": unknown;
+                "application/sla": unknown;
                 "multipart/form-data": {
                     model: string;
                 };

@@ -67,3 +67,12 @@ it('can be used by keyboard: a button opens the file chooser', () => {
     expect(click).toHaveBeenCalledOnce();
     expect(input?.getAttribute('aria-label')).toBeTruthy();
 });
+
+it('offers the files that are read, and says which', () => {
+    zone = dropZone();
+    const accept = zone.node.querySelector('input')?.accept.split(',');
+    for (const extension of ['.off', '.stl', '.obj', '.ply']) {
+        expect(accept).toContain(extension);
+    }
+    expect(zone.node.textContent).toContain('OFF, STL, OBJ or PLY');
+});

@@ -1,0 +1,15 @@
+// Feeds arbitrary bytes to the reader of PLY files, and its meshes to what inspects and repairs
+// them.
+
+#include "engine/mesh/read_ply.h"
+
+#include "tests/fuzz/check_mesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    ossuary::fuzz::check_reader(
+        [](std::string_view bytes, const ossuary::mesh::ReadMeshOptions& options) {
+            return ossuary::mesh::read_ply(bytes, "input", options);
+        },
+        data, size);
+    return 0;
+}
