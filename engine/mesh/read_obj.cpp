@@ -225,8 +225,8 @@ Result<void> ObjReader::read_statement() {
 
 Result<ReadMeshResult> ObjReader::read() {
     constexpr std::size_t kLinesBetweenLooks = 4096;
-    while (lines_.next()) {
-        if (lines_.number() % kLinesBetweenLooks == 0 && builder_.cancelled()) {
+    for (std::size_t lines = 0; lines_.next(); ++lines) {
+        if (lines % kLinesBetweenLooks == 0 && builder_.cancelled()) {
             return MeshBuilder::cancellation();
         }
         if (Result<void> read = read_statement(); !read) return read.error();
