@@ -64,7 +64,12 @@ WrittenIndex parse_corner(std::string_view token) {
 class ObjReader {
 public:
     ObjReader(std::string_view text, const ReadMeshOptions& options, const std::stop_token& stop)
-        : lines_(text), options_(options), builder_(kObjCodes, options, stop) {}
+        : lines_(text), options_(options), builder_(kObjCodes, options, stop) {
+        // No counts are given; room that is not used is never touched.
+        constexpr std::size_t kUsualLine = 32;
+        builder_.reserve(std::min<std::size_t>(options.max_vertices, text.size() / kUsualLine),
+                         std::min<std::size_t>(options.max_faces, text.size() / kUsualLine));
+    }
 
     Result<ReadMeshResult> read();
 
