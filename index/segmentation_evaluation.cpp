@@ -74,8 +74,9 @@ std::vector<ranking::ClassifiedModel> models_to_evaluate(
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(options.models, ignored)) {
         const std::string id = entry.path().stem().string();
-        if (!mesh::is_model_file(entry.path()) || !fs::is_directory(options.truth / id, ignored))
-            continue;
+        // As evaluate_model reads it: a model may lie there in other formats too.
+        const bool is_off = entry.path().extension() == ".off";
+        if (!is_off || !fs::is_directory(options.truth / id, ignored)) continue;
         models.push_back({id, ""});
     }
     std::sort(models.begin(), models.end(), id_before);

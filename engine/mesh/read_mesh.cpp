@@ -127,6 +127,9 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
     if (Result<void> checked = check_extent(result->mesh, name, options); !checked) {
         return checked.error();
     }
+    if (stop.stop_requested()) {
+        return {ErrorCode::kCancelled, std::string(name) + ": reading was cancelled"};
+    }
     for (MeshWarning& warning : surface_warnings(result->mesh)) {
         result->warnings.push_back(std::move(warning));
     }

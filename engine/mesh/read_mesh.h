@@ -34,9 +34,9 @@ struct ReadMeshResult {
 /// PLY. What is odd about the surface but does not keep it from being used comes back as warnings.
 /// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported (the message names
 /// the format that was recognised), format_unknown, and those of the format's own reader
-/// (read_off.h, read_stl.h, read_obj.h,
-/// read_ply.h); mesh_scale (coordinates or an extent beyond the options' limits). A
-/// file that holds no face is no error, nor is one whose faces are all in one place.
+/// (read_off.h, read_stl.h, read_obj.h, read_ply.h); mesh_scale (coordinates or an extent beyond
+/// the options' limits); cancelled. A file that holds no face is no error, nor is one whose faces
+/// are all in one place.
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
                                  const ReadMeshOptions& options = {},
                                  const std::stop_token& stop = {});

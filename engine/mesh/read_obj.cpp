@@ -64,7 +64,12 @@ WrittenIndex parse_corner(std::string_view token) {
 class ObjReader {
 public:
     ObjReader(std::string_view text, const ReadMeshOptions& options, const std::stop_token& stop)
-        : lines_(text), options_(options), builder_(kObjCodes, options, stop) {}
+        : lines_(text), options_(options), builder_(kObjCodes, options, stop) {
+        // No counts are given; room that is not used is never touched.
+        constexpr std::size_t kUsualLine = 32;
+        builder_.reserve(std::min<std::size_t>(options.max_vertices, text.size() / kUsualLine),
+                         std::min<std::size_t>(options.max_faces, text.size() / kUsualLine));
+    }
 
     Result<ReadMeshResult> read();
 
@@ -225,8 +230,8 @@ Result<void> ObjReader::read_statement() {
 
 Result<ReadMeshResult> ObjReader::read() {
     constexpr std::size_t kLinesBetweenLooks = 4096;
-    while (lines_.next()) {
-        if (lines_.number() % kLinesBetweenLooks == 0 && builder_.cancelled()) {
+    for (std::size_t lines = 0; lines_.next(); ++lines) {
+        if (lines % kLinesBetweenLooks == 0 && builder_.cancelled()) {
             return MeshBuilder::cancellation();
         }
         if (Result<void> read = read_statement(); !read) return read.error();

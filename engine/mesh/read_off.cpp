@@ -108,6 +108,9 @@ private:
 };
 
 Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines) {
+    if (vertex % kVerticesBetweenLooks == 0 && builder_.cancelled()) {
+        return MeshBuilder::cancellation();
+    }
     Vec3 position;
     double w = 1;
     const int coordinates = header_.has_w ? 4 : 3;
@@ -134,9 +137,6 @@ Result<void> OffBodyReader::read_position(std::uint64_t vertex, bool over_lines)
 
 Result<void> OffBodyReader::read_vertex_line(std::uint64_t vertex) {
     if (!scanner_.find_token()) return ends_early("vertex line", vertex, header_.vertices);
-    if (vertex % kVerticesBetweenLooks == 0 && builder_.cancelled()) {
-        return MeshBuilder::cancellation();
-    }
     if (Result<void> read = read_position(vertex, false); !read) return read;
     if (!scanner_.at_line_end()) {
         ++extended_vertices_;

@@ -134,8 +134,15 @@ Result<void> PlyReader<Body>::skip(const Place& place, const PlyProperty& proper
         if (!size) return size.error();
         values = *size;
     }
-    const PlyStatus status = body_.skip(property.type, values);
-    return status == PlyStatus::kOk ? Result<void>() : bad_value(status, place, property);
+    constexpr std::uint64_t kValuesBetweenLooks = 65'536;
+    while (true) {
+        const std::uint64_t some = std::min(values, kValuesBetweenLooks);
+        const PlyStatus status = body_.skip(property.type, some);
+        if (status != PlyStatus::kOk) return bad_value(status, place, property);
+        values -= some;
+        if (values == 0) return {};
+        if (builder_.cancelled()) return MeshBuilder::cancellation();
+    }
 }
 
 template <typename Body>

@@ -1,6 +1,7 @@
 #include "engine/ranking/classification.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cstdint>
@@ -206,9 +207,16 @@ std::string full_class_name(const Classification& classification, std::string_vi
 }
 
 std::vector<std::string> candidate_file_names(std::string_view id) {
-    std::string name(id);
-    if (id.ends_with(".off")) return {std::move(name)};
-    return {name + ".off", "m" + name + ".off"};
+    constexpr std::array<std::string_view, 4> kExtensions = {".off", ".stl", ".obj", ".ply"};
+    const std::string name(id);
+    std::vector<std::string> names;
+    for (const std::string_view extension : kExtensions) {
+        if (id.ends_with(extension)) return {name};
+        for (const char* prefix : {"", "m"}) {
+            names.push_back(prefix + name + std::string(extension));
+        }
+    }
+    return names;
 }
 
 Result<Classification> parse_classification(std::string_view text, std::string_view name) {

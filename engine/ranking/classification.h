@@ -39,7 +39,8 @@ struct ClassifiedModel {
                                           std::string_view class_name);
 
 /// The file names that an id may stand for, best first: "12" is 12.off (segmentation benchmark) or
-/// m12.off (shape benchmark); an id that ends in .off already is itself.
+/// m12.off (shape benchmark), then the same as .stl, .obj and .ply; an id that ends in one of these
+/// already is itself.
 [[nodiscard]] std::vector<std::string> candidate_file_names(std::string_view id);
 
 /// Parses the text of a classification file: "PSB 1", then the numbers of classes and models, then

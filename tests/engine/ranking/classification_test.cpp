@@ -48,8 +48,10 @@ TEST(Classification, ReadsAHierarchyInTheOrderOfTheFile) {
 }
 
 TEST(Classification, NamesTheFilesThatAnIdMayStandFor) {
-    EXPECT_THAT(candidate_file_names("12"), ElementsAre("12.off", "m12.off"));
+    EXPECT_THAT(candidate_file_names("12"), ElementsAre("12.off", "m12.off", "12.stl", "m12.stl",
+                                                        "12.obj", "m12.obj", "12.ply", "m12.ply"));
     EXPECT_THAT(candidate_file_names("my-chair.off"), ElementsAre("my-chair.off"));
+    EXPECT_THAT(candidate_file_names("my-chair.ply"), ElementsAre("my-chair.ply"));
 }
 
 TEST(Classification, SkipsAByteOrderMarkAndCarriageReturns) {
