@@ -4,8 +4,6 @@
 
 #include <set>
 
-#include "tests/engine/mesh/built_meshes.h"
-
 namespace ossuary::decomposition {
 namespace {
 
@@ -24,7 +22,7 @@ SurfaceGraph two_strips() {
             mesh.triangles.push_back({a, a + 3, a + 1});
         }
     }
-    return surface_graph(test::with_faces(std::move(mesh)));
+    return surface_graph(mesh);
 }
 
 TEST(SmallParts, JoinTheNeighbourOfTheLongestBorder) {
