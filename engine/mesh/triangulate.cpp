@@ -28,6 +28,12 @@ void PolygonTriangulator::append(std::span<const std::uint32_t> polygon,
         clip_ears(polygon, triangles);
         return;
     }
+    if (!has_area || !flat_) {
+        for (std::size_t i = 2; i < polygon.size(); ++i) {
+            triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+        }
+        return;
+    }
     const std::size_t count = polygon.size();
     const auto greatest = std::max_element(polygon.begin(), polygon.end()) - polygon.begin();
     const auto corner = [&](std::size_t i) {
@@ -54,10 +60,15 @@ bool PolygonTriangulator::project(std::span<const std::uint32_t> polygon,
     Eigen::Index v = (axis + 2) % 3;
     if (normal[axis] < 0) std::swap(u, v);
     points_.clear();
+    double reach = 0.0, height = 0.0;
     for (const std::uint32_t vertex : polygon) {
         const Vec3 offset = vertices[vertex] - origin;
         points_.emplace_back(offset[u], offset[v]);
+        reach = std::max(reach, offset.norm());
+        height = std::max(height, std::abs(offset.dot(normal)));
     }
+    constexpr double kFlat = 1e-4;  // changes the area by the square of it
+    flat_ = height <= kFlat * reach * normal.norm();
     return true;
 }
 

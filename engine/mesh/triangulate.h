@@ -10,12 +10,14 @@ namespace ossuary::mesh {
 
 /// Cuts polygons into triangles; keeps its buffers from one polygon to the next.
 ///
-/// Convex polygons become a fan around the corner of the greatest index, in an order that follows
-/// from the indices, so that the triangles are the same whichever corner a file begins with and
-/// whichever way round it goes. Others are cut by ear clipping in the plane of their area normal
-/// (Newell's), so that a simple planar polygon is covered exactly. A polygon of n corners always
-/// gives n - 2 triangles that use its corners only and keep its orientation; where it is not simple
-/// (self-crossing, folded, without area) the rest that has no ear left becomes a fan.
+/// Convex polygons become a fan. That of a flat one begins at the corner of the greatest index, in
+/// an order that follows from the indices, so that the triangles are the same whichever corner a
+/// file begins with and whichever way round it goes. That of a bent one begins at its first corner,
+/// as in other programs: where it begins is a part of its shape. Others are cut by ear clipping in
+/// the plane of their area normal (Newell's), so that a simple planar polygon is covered exactly. A
+/// polygon of n corners always gives n - 2 triangles that use its corners only and keep its
+/// orientation; where it is not simple (self-crossing, folded, without area) the rest that has no
+/// ear left becomes a fan.
 class PolygonTriangulator {
 public:
     /// `max_work` bounds the steps (corners visited, points tested) over the lifetime of the
@@ -44,6 +46,7 @@ private:
 
     std::uint64_t work_left_;
     std::size_t fanned_ = 0;
+    bool flat_ = false;         // the polygon that was projected last
     std::vector<Vec2> points_;  // counter-clockwise
     std::vector<std::uint32_t> next_;
     std::vector<std::uint32_t> previous_;
