@@ -55,7 +55,7 @@ std::string markup_text(std::string_view text) {
 }
 
 std::string csv_field(std::string_view text) {
-    const std::string valid = valid_utf8(text);
+    std::string valid = valid_utf8(text);
     if (valid.find_first_of(",\"\r\n") == std::string::npos) return valid;
     std::string out = "\"";
     for (const char c : valid) {

@@ -64,7 +64,7 @@ Result<void> StatisticsUpdater::update(When when, const std::stop_token& stop) {
     const index::CollectionState& state = (*snapshot)->state();
     if (state.statistics == state.models) return {};
     if (when == When::kMissing && state.statistics >= 0) return {};
-    const auto updated = index::update_statistics(store_, **snapshot, 1, stop);
+    auto updated = index::update_statistics(store_, **snapshot, 1, stop);
     if (!updated) return updated;
     log_.info("statistics of " + std::to_string((*snapshot)->size()) + " models in " +
               std::to_string(static_cast<long>(watch.elapsed_ms())) + " ms");

@@ -142,7 +142,7 @@ void NearbyGrouper::clear() {
 
 NearbyGroups NearbyGrouper::group(std::span<const std::uint32_t> triangles,
                                   const std::stop_token& stop) {
-    const NearbyGroups one = {1, std::vector<std::uint32_t>(triangles.size(), 0)};
+    NearbyGroups one = {1, std::vector<std::uint32_t>(triangles.size(), 0)};
     const Box3 box = box_of(triangles);
     if (triangles.size() < 2 || !(box.sizes().maxCoeff() > 0)) return one;
     low_ = box.min();

@@ -259,13 +259,13 @@ Result<void> PlyReader<Body>::read_surface(const Place& place, bool strips) {
     for (const PlyProperty& property : place.element.properties) {
         const bool corners = !read && is_corner_list(property);
         read = read || corners;
-        const Result<void> done = !corners ? skip(place, property)
-                                  : strips ? read_strips(place, property)
-                                           : read_polygon(place, property);
+        Result<void> done = !corners ? skip(place, property)
+                            : strips ? read_strips(place, property)
+                                     : read_polygon(place, property);
         if (!done) return done;
     }
     if (strips) return {};
-    const Result<void> added = builder_.add_face(corners_);
+    Result<void> added = builder_.add_face(corners_);
     if (added) return added;
     return {added.error().code, body_.place() + added.error().message};
 }
