@@ -75,7 +75,7 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
             hit.matched_nodes = match->correspondence.nodes.size();
             hit.match = std::move(match->correspondence);
         }
-        result.stages_ms.push_back({"ranking::explain", watch.lap_ms()});
+        result.stages_ms.push_back({"explain", watch.lap_ms()});
     }
     result.models = snapshot.size();
     result.revision = snapshot.revision();

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <utility>
@@ -18,6 +19,14 @@ namespace {
 void step_behind() {
     constexpr int kNice = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+}
+
+/// Before what failed for a reason that may pass is tried again.
+constexpr std::chrono::seconds kRetry(5);
+
+/// Of another program that writes for long, or a full disk.
+bool is_passing(ErrorCode code) {
+    return code == ErrorCode::kIndexBusy || code == ErrorCode::kIndexIo;
 }
 
 }  // namespace
@@ -46,15 +55,19 @@ void StatisticsUpdater::work(const std::stop_token& stop) {
         lock.unlock();
         const Stopwatch watch;
         const auto updated = without_exceptions([&] { return update(when, stop); });
-        if (!updated && !stop.stop_requested()) {
-            log_.error("statistics: " + std::string(to_string(updated.error().code)) + ": " +
-                       updated.error().message);
-        }
+        auto rest = std::chrono::duration<double, std::milli>(watch.elapsed_ms());
+        if (!updated && !stop.stop_requested()) report(updated.error());
         lock.lock();
-        requested_.wait_for(lock, stop,
-                            std::chrono::duration<double, std::milli>(watch.elapsed_ms()),
-                            [] { return false; });
+        if (!updated && is_passing(updated.error().code)) {
+            if (wanted_ != When::kOutdated) wanted_ = when;
+            rest = std::max<decltype(rest)>(rest, kRetry);
+        }
+        requested_.wait_for(lock, stop, rest, [] { return false; });
     }
+}
+
+void StatisticsUpdater::report(const Error& error) {
+    log_.error("statistics: " + std::string(to_string(error.code)) + ": " + error.message);
 }
 
 Result<void> StatisticsUpdater::update(When when, const std::stop_token& stop) {

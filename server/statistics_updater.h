@@ -15,7 +15,8 @@ namespace ossuary::server {
 /// Keeps the collection's statistics up to date on a thread of its own, one computation at a time
 /// on one processor and behind all requests. Requests that come meanwhile make one more. It rests
 /// as long as it worked, so that a collection which changes all the time takes half a processor at
-/// most. Answers use the statistics of before until then. Ends within milliseconds when destroyed.
+/// most. Answers use the statistics of before until then. What fails because the index
+/// cannot be written for the moment is tried again. Ends within milliseconds when destroyed.
 class StatisticsUpdater {
 public:
     /// @param store  writable
@@ -32,6 +33,7 @@ public:
 private:
     void work(const std::stop_token& stop);
     Result<void> update(When when, const std::stop_token& stop);
+    void report(const Error& error);
 
     index::Store store_;
     index::Searcher& searcher_;

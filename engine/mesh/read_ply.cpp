@@ -18,6 +18,9 @@ constexpr ReaderCodes kPlyCodes = {ErrorCode::kPlyTooManyVertices, ErrorCode::kP
                                    ErrorCode::kPlyTooManyCorners, ErrorCode::kPlyBadNumber,
                                    ErrorCode::kPlyNonFinite};
 
+/// Between looks at the stop token, so that a long list ends soon, too.
+constexpr std::uint64_t kValuesBetweenLooks = 65'536;
+
 enum class PlyRole { kVertices, kFaces, kStrips, kOther };
 
 PlyRole role_of(const PlyElement& element) {
@@ -134,7 +137,6 @@ Result<void> PlyReader<Body>::skip(const Place& place, const PlyProperty& proper
         if (!size) return size.error();
         values = *size;
     }
-    constexpr std::uint64_t kValuesBetweenLooks = 65'536;
     while (true) {
         const std::uint64_t some = std::min(values, kValuesBetweenLooks);
         const PlyStatus status = body_.skip(property.type, some);
@@ -238,6 +240,9 @@ Result<void> PlyReader<Body>::read_strips(const Place& place, const PlyProperty&
     if (!size) return size.error();
     strip_corners_ = 0;
     for (std::uint64_t i = 0; i < *size; ++i) {
+        if (i % kValuesBetweenLooks == 0 && builder_.cancelled()) {
+            return MeshBuilder::cancellation();
+        }
         double value = 0;
         const PlyStatus status = body_.read(property.type, value);
         if (status != PlyStatus::kOk) return bad_value(status, place, property);

@@ -102,7 +102,7 @@ TEST_F(SearcherTest, ExplainsItsHitsWithIndicesThatExist) {
     EXPECT_GE(result->hits[0].matched_nodes, 4U) << "a tree against itself";
     std::vector<std::string> stages;
     for (const StageTime& time : result->stages_ms) stages.push_back(time.stage);
-    for (const char* stage : {"voxelize", "thin", "refine", "rank"}) {
+    for (const char* stage : {"voxelize", "thin", "refine", "rank", "explain"}) {
         EXPECT_NE(std::find(stages.begin(), stages.end(), stage), stages.end()) << stage;
     }
     EXPECT_GT(result->took_ms, 0.0);

@@ -1,12 +1,18 @@
 #include "server/statistics_updater.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <memory>
+#include <string_view>
 
 #include "index/describe_model.h"
+#include "tests/index/sample_index.h"
 #include "tests/server/test_server.h"
 
 namespace ossuary::test {
@@ -72,6 +78,48 @@ TEST_F(StatisticsUpdaterTest, MakesThoseOfAnIndexThatHasNone) {
     server::StatisticsUpdater updater(*index::Store::open(fresh, index::Access::kReadWrite),
                                       searcher, log_);
     updater.request(When::kMissing);
+    EXPECT_TRUE(eventually([&] { return current(store); }));
+}
+
+/// What is written to stderr meanwhile, in a file.
+class StderrInFile {
+public:
+    explicit StderrInFile(fs::path path) : path_(std::move(path)), saved_(dup(STDERR_FILENO)) {
+        const int file = ::open(path_.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC, 0600);
+        dup2(file, STDERR_FILENO);
+        close(file);
+    }
+    ~StderrInFile() {
+        dup2(saved_, STDERR_FILENO);
+        close(saved_);
+    }
+    StderrInFile(const StderrInFile&) = delete;
+    StderrInFile& operator=(const StderrInFile&) = delete;
+    [[nodiscard]] bool holds(std::string_view text) const {
+        std::ifstream file(path_);
+        const std::string all{std::istreambuf_iterator<char>(file), {}};
+        return all.find(text) != std::string::npos;
+    }
+
+private:
+    fs::path path_;
+    int saved_;
+};
+
+TEST_F(StatisticsUpdaterTest, TriesAgainWhenTheIndexWasBusy) {
+    const StderrInFile written(folder_.path() / "log");
+    server::Log log({.level = "error"});
+    index::Searcher searcher = *index::Searcher::open(index_);
+    index::Store store = open();
+    index::Store impatient = open();
+    ASSERT_TRUE(impatient.set_busy_timeout(20));
+    ASSERT_TRUE(store.remove(1));
+    auto lock = std::make_unique<HeldWriteLock>(index_);
+    server::StatisticsUpdater updater(std::move(impatient), searcher, log);
+    updater.request(When::kOutdated);
+    ASSERT_TRUE(eventually([&] { return written.holds("index_busy"); }));
+    EXPECT_FALSE(current(store));
+    lock.reset();
     EXPECT_TRUE(eventually([&] { return current(store); }));
 }
 
