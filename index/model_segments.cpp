@@ -60,7 +60,7 @@ Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
     Result<decomposition::Decomposition> decomposition = decomposition::decompose(mesh, {}, stop);
     if (!decomposition) return decomposition.error();
     Result<decomposition::Segmentation> carried =
-        decomposition::carry_labels(mesh, decomposition->segmentation, preview);
+        decomposition::carry_labels(mesh, decomposition->segmentation, preview, stop);
     if (!carried) return carried.error();
     ModelSegments segments{std::move(decomposition->parts), std::move(carried->labels)};
     for (auto& part : segments.parts) part.triangles = 0;

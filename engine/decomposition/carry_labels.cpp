@@ -30,12 +30,13 @@ Vec3 center_of(const mesh::TriangleMesh& mesh, std::size_t triangle) {
 
 /// The triangle of `mesh` that each triangle of `copy` is nearest to.
 std::vector<std::uint32_t> nearest_triangles(const mesh::TriangleMesh& mesh,
-                                             const mesh::TriangleMesh& copy) {
+                                             const mesh::TriangleMesh& copy,
+                                             const std::stop_token& stop) {
     const mesh::NearestTriangle nearest(mesh, kTurnedDistance * mesh::measure(mesh).diagonal);
     const std::vector<Vec3> normals = mesh::triangle_normals(copy);
     std::vector<std::uint32_t> found;
     found.reserve(normals.size());
-    for (std::size_t t = 0; t < normals.size(); ++t) {
+    for (std::size_t t = 0; t < normals.size() && !stop.stop_requested(); ++t) {
         found.push_back(nearest.of(center_of(copy, t), normals[t]));
     }
     return found;
@@ -85,7 +86,7 @@ void keep_every_part(const mesh::TriangleMesh& mesh, const Segmentation& segment
 }  // namespace
 
 Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmentation& segmentation,
-                                  const mesh::TriangleMesh& copy) {
+                                  const mesh::TriangleMesh& copy, const std::stop_token& stop) {
     assert(!mesh.triangles.empty() && segmentation.labels.size() == mesh.triangles.size());
     if (copy.triangles.size() < segmentation.parts) {
         return {ErrorCode::kInvalidArgument,
@@ -96,7 +97,8 @@ Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmenta
     const bool same =
         welded.mesh.triangles == copy.triangles && welded.mesh.vertices == copy.vertices;
     const std::vector<std::uint32_t> sources =
-        same ? welded.source_triangle : nearest_triangles(mesh, copy);
+        same ? welded.source_triangle : nearest_triangles(mesh, copy, stop);
+    if (stop.stop_requested()) return {ErrorCode::kCancelled, "carrying parts over was cancelled"};
     Segmentation carried{{}, segmentation.parts};
     carried.labels.reserve(sources.size());
     for (const std::uint32_t source : sources) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "engine/core/result.h"
 #include "engine/decomposition/segmentation.h"
 #include "engine/mesh/triangle_mesh.h"
@@ -14,8 +16,8 @@ namespace ossuary::decomposition {
 /// @param segmentation  of the triangles of `mesh`
 /// @return  the part of each triangle of `copy`, numbered as in `segmentation`
 /// @pre the mesh has a triangle
-/// Errors: invalid_argument (fewer triangles in the copy than parts).
+/// Errors: invalid_argument (fewer triangles in the copy than parts), cancelled.
 Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmentation& segmentation,
-                                  const mesh::TriangleMesh& copy);
+                                  const mesh::TriangleMesh& copy, const std::stop_token& stop = {});
 
 }  // namespace ossuary::decomposition

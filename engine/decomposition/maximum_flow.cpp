@@ -11,12 +11,18 @@ void MaximumFlow::add_edge(std::uint32_t a, std::uint32_t b, std::int64_t capaci
     links_[b].push_back({a, static_cast<std::uint32_t>(links_[a].size() - 1), capacity});
 }
 
+bool MaximumFlow::spend(std::uint64_t steps) {
+    steps_left_ -= std::min(steps, steps_left_);
+    return steps_left_ > 0 && !stop_.stop_requested();
+}
+
 bool MaximumFlow::find_levels(std::uint32_t source, std::uint32_t sink) {
     level_.assign(links_.size(), -1);
     level_[source] = 0;
     queue_.assign(1, source);
     for (std::size_t next = 0; next < queue_.size(); ++next) {
         const std::uint32_t node = queue_[next];
+        steps_left_ -= std::min<std::uint64_t>(links_[node].size(), steps_left_);
         for (const Arc& arc : links_[node]) {
             if (arc.residual <= 0 || level_[arc.to] >= 0) continue;
             level_[arc.to] = level_[node] + 1;
@@ -32,6 +38,7 @@ std::int64_t MaximumFlow::augment(std::uint32_t source, std::uint32_t sink) {
     std::vector<std::uint32_t>& way = queue_;
     way.assign(1, source);
     while (way.back() != sink) {
+        steps_left_ -= std::min<std::uint64_t>(1, steps_left_);
         const std::uint32_t node = way.back();
         std::size_t& next = next_arc_[node];
         while (next < links_[node].size()) {
@@ -64,6 +71,7 @@ std::vector<bool> MaximumFlow::source_side(std::uint32_t source, std::uint32_t s
     while (find_levels(source, sink)) {
         next_arc_.assign(links_.size(), 0);
         while (augment(source, sink) > 0) {
+            if (!spend(queue_.size())) return {};
         }
     }
     std::vector<bool> side(links_.size());

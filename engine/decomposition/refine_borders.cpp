@@ -31,13 +31,18 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> touching_parts(
     return touching;
 }
 
+/// Arcs that all cuts of a surface may look at, some seconds' worth; borders that come after stay
+/// where they are.
+constexpr std::uint64_t kMostSteps = 100'000'000;
+
 class BorderRefinement {
 public:
     BorderRefinement(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
-                     const RefineBordersOptions& options)
+                     const RefineBordersOptions& options, const std::stop_token& stop)
         : surface_(surface),
           labels_(labels),
           options_(options),
+          stop_(stop),
           scale_(std::sqrt(surface.total_area)),
           node_(surface.size(), kOutside) {}
 
@@ -45,7 +50,7 @@ public:
         find_band(a, b);
         if (band_.empty()) return;
         // Node 0 is the rest of part a, node 1 that of part b.
-        MaximumFlow flow(band_.size() + 2);
+        MaximumFlow flow(band_.size() + 2, steps_left_, stop_);
         bool has_a = false, has_b = false;
         for (const std::uint32_t t : band_) {
             for (std::size_t side = 0; side < 3; ++side) {
@@ -63,7 +68,10 @@ public:
         // A part that lies in the band with all it has would be swallowed.
         if (has_a && has_b) {
             const std::vector<bool> on_side_a = flow.source_side(0, 1);
-            for (const std::uint32_t t : band_) labels_[t] = on_side_a[node_[t]] ? a : b;
+            steps_left_ = flow.steps_left();
+            for (const std::uint32_t t : band_) {
+                if (!on_side_a.empty()) labels_[t] = on_side_a[node_[t]] ? a : b;
+            }
         }
         for (const std::uint32_t t : band_) node_[t] = kOutside;
     }
@@ -115,6 +123,8 @@ private:
     const SurfaceGraph& surface_;
     std::vector<std::uint32_t>& labels_;
     const RefineBordersOptions& options_;
+    const std::stop_token& stop_;
+    std::uint64_t steps_left_ = kMostSteps;
     double scale_;
     std::vector<std::uint32_t> band_;
     std::vector<std::uint32_t> node_;  ///< of each triangle of the band
@@ -124,7 +134,7 @@ private:
 
 void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
                     const RefineBordersOptions& options, const std::stop_token& stop) {
-    BorderRefinement refinement(surface, labels, options);
+    BorderRefinement refinement(surface, labels, options, stop);
     for (const auto& [a, b] : touching_parts(surface, labels)) {
         if (stop.stop_requested()) return;
         refinement.between(a, b);

@@ -20,6 +20,7 @@ struct RefineBordersOptions {
 /// minima rule): for each two parts that touch, the cheapest cut within `reach` of their border, by
 /// maximum flow (compare Katz and Tal, "Hierarchical mesh decomposition using fuzzy clustering and
 /// cuts", 2003, sec. 5). No part disappears or falls apart by it.
+/// On surfaces whose cuts take longer than some seconds the last borders stay where they are.
 /// @param labels  the part of each triangle
 void refine_borders(const SurfaceGraph& surface, std::vector<std::uint32_t>& labels,
                     const RefineBordersOptions& options = {}, const std::stop_token& stop = {});

@@ -77,11 +77,12 @@ TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options,
     // So many take a tenth of a second, and a third of that.
     const std::size_t many = std::max<std::size_t>(150'000, 3 * wanted);
     const std::size_t few = std::max<std::size_t>(6000, 3 * wanted);
-    TriangleMesh coarse = collapse_edges(orient(at_most(welded, many)).mesh, wanted);
+    const TriangleMesh fine = at_most(welded, many);
+    TriangleMesh coarse = collapse_edges(orient(fine).mesh, wanted);
     if (coarse.triangles.size() > wanted && !stop.stop_requested()) {
-        coarse = collapse_edges_beyond_seams(orient(at_most(welded, few)).mesh, wanted);
+        coarse = collapse_edges_beyond_seams(orient(at_most(fine, few)).mesh, wanted);
     }
-    if (coarse.triangles.size() > wanted) coarse = cluster_vertices(welded, wanted);
+    if (coarse.triangles.size() > wanted) coarse = cluster_vertices(fine, wanted);
     return compact(coarse);
 }
 

@@ -83,6 +83,7 @@ Box3 NearestTriangle::build(std::vector<Item>& items, std::uint32_t begin, std::
 
 void NearestTriangle::search(std::uint32_t node, Query& query) const {
     const Node& here = nodes_[node];
+    query.looked_at += std::max(here.count, std::uint32_t{1});
     for (std::uint32_t i = here.first; i < here.first + here.count; ++i) {
         const std::uint32_t triangle = order_[i];
         const Vec3 nearest = nearest_point_of(mesh_.corners(triangle), query.point);
@@ -100,12 +101,12 @@ void NearestTriangle::search(std::uint32_t node, Query& query) const {
     if (far < near) std::swap(near, far);
     // Equally far boxes are looked into too, for the lower number.
     for (const auto& [squared, child] : {near, far}) {
-        if (squared <= query.best_cost) search(child, query);
+        if (squared <= query.best_cost && query.looked_at < kMostLookedAt) search(child, query);
     }
 }
 
 std::uint32_t NearestTriangle::of(const Vec3& point, const Vec3& normal) const {
-    Query query{point, normal, std::numeric_limits<double>::infinity(), 0};
+    Query query{point, normal, std::numeric_limits<double>::infinity(), 0, 0};
     search(0, query);
     return query.best;
 }

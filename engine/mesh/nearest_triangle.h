@@ -13,9 +13,14 @@ namespace ossuary::mesh {
 [[nodiscard]] Vec3 nearest_point_of(const std::array<Vec3, 3>& corners, const Vec3& point);
 
 /// Finds the triangle of a mesh that is nearest to a point, by a tree of boxes. Exact, and the
-/// lowest number among equally near ones.
+/// lowest number among equally near ones, where no more than `kMostLookedAt` boxes and triangles
+/// have to be looked at. Where boxes overlap so much that more would be needed, thickets of long
+/// triangles, it is the nearest of those, the most promising having been looked at first.
 class NearestTriangle {
 public:
+    /// Ordinary models need some hundreds.
+    static constexpr std::uint32_t kMostLookedAt = 8192;
+
     /// @param turned_distance  what a triangle that faces the other way counts as farther, in the
     ///     mesh's units: of n, d the normals' cosine and the distance, the least
     ///     d² + turned_distance² (1 - n) / 2 wins. 0 leaves normals out.
@@ -37,6 +42,7 @@ private:
         Vec3 point, normal;
         double best_cost = 0.0;
         std::uint32_t best = 0;
+        std::uint32_t looked_at = 0;  ///< boxes and triangles
     };
     struct Item {
         Vec3 center;

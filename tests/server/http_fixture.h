@@ -6,9 +6,9 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -95,5 +95,26 @@ TEST(NearestTriangle, OfSheetsThatLieTogetherTheOneThatFacesTheSameWayWins) {
     EXPECT_EQ(NearestTriangle(mesh).of({0.2, 0.2, 0.0}, {0, 0, 1}), 0U) << "the lower number";
 }
 
+TEST(NearestTriangle, FindsSomethingNearInAThicket) {
+    // Slivers from face to face of a cube: nearly every box reaches nearly everywhere.
+    std::mt19937_64 random(3);
+    TriangleMesh mesh;
+    for (std::uint32_t t = 0; t < 50'000; ++t) {
+        const Vec3 from = next_point(random);
+        const Vec3 to = next_point(random);
+        for (const Vec3& corner : {from, to, Vec3(to + 1e-3 * next_point(random))}) {
+            mesh.vertices.push_back(corner);
+        }
+        mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    const NearestTriangle nearest(mesh);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 point = 0.5 * next_point(random);
+        const std::uint32_t found = nearest.of(point, Vec3::Zero());
+        EXPECT_LT((nearest_point_of(mesh.corners(found), point) - point).norm(), 0.2);
+        EXPECT_EQ(nearest.of(point, Vec3::Zero()), found);
+    }
+}
+
 }  // namespace
 }  // namespace ossuary::mesh
