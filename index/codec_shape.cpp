@@ -149,6 +149,7 @@ std::string encode_preview(const PreviewMesh& mesh) {
     writer.put(vertices);
     writer.put(static_cast<std::uint32_t>(mesh.triangles.size() / 3));
     writer.put(static_cast<std::uint8_t>(narrow ? 2 : 4));
+    put_point(writer, mesh.origin);
     writer.put_all<float>(mesh.positions);
     if (narrow) {
         for (const std::uint32_t index : mesh.triangles) {
@@ -169,6 +170,7 @@ Result<PreviewMesh> decode_preview(std::string_view blob) {
     const auto width = reader.get<std::uint8_t>();
     if (width != 2 && width != 4) return corrupt_blob(kPreviewBlob, "index width is not 2 or 4");
     PreviewMesh mesh;
+    if (blob_version(blob) >= 2) mesh.origin = get_point(reader);
     mesh.positions = reader.get_all<float>(std::size_t{3} * vertices);
     if (width == 4) {
         mesh.triangles = reader.get_all<std::uint32_t>(std::size_t{3} * triangles);
@@ -177,7 +179,7 @@ Result<PreviewMesh> decode_preview(std::string_view blob) {
         mesh.triangles.assign(indices.begin(), indices.end());
     }
     if (!reader.ok() || !reader.at_end()) return corrupt_blob(kPreviewBlob, "wrong length");
-    if (!all_finite(mesh.positions))
+    if (!all_finite(mesh.positions) || !mesh.origin.allFinite())
         return corrupt_blob(kPreviewBlob, "a number that is not finite");
     for (const std::uint32_t index : mesh.triangles) {
         if (index >= vertices) return corrupt_blob(kPreviewBlob, "a vertex index out of range");

@@ -86,9 +86,12 @@ void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::T
 
 PreviewMesh make_preview(const mesh::TriangleMesh& coarse) {
     PreviewMesh preview;
+    const Box3 bounds = mesh::measure(coarse).bounds;
+    if (!bounds.isEmpty()) preview.origin = bounds.center();
     preview.positions.reserve(coarse.vertices.size() * 3);
     for (const Vec3& vertex : coarse.vertices) {
-        for (const double coordinate : {vertex.x(), vertex.y(), vertex.z()}) {
+        const Vec3 from_origin = vertex - preview.origin;
+        for (const double coordinate : {from_origin.x(), from_origin.y(), from_origin.z()}) {
             preview.positions.push_back(static_cast<float>(coordinate));
         }
     }

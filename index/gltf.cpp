@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "engine/mesh/measures.h"
 #include "engine/mesh/vertex_normals.h"
 #include "index/coloured_parts.h"
 #include "index/json_text.h"
@@ -73,14 +74,14 @@ private:
     std::string bytes_;
 };
 
-json add_attributes(const mesh::TriangleMesh& mesh, const decomposition::Rig& rig,
-                    GltfBuilder& builder) {
+json add_attributes(const mesh::TriangleMesh& mesh, const Vec3& origin,
+                    const decomposition::Rig& rig, GltfBuilder& builder) {
     std::vector<float> positions, normals, weights;
     std::vector<std::uint16_t> joints;
     const std::vector<Vec3> vertex_normal = mesh::vertex_normals(mesh);
-    Eigen::Vector3f low = mesh.vertices[0].cast<float>(), high = low;
+    Eigen::Vector3f low = (mesh.vertices[0] - origin).cast<float>(), high = low;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-        const Eigen::Vector3f p = mesh.vertices[v].cast<float>();
+        const Eigen::Vector3f p = (mesh.vertices[v] - origin).cast<float>();
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
         const Vec3 normal = vertex_normal[v].isZero() ? Vec3::UnitZ() : vertex_normal[v];
@@ -140,24 +141,28 @@ std::string joint_name(const decomposition::Rig& rig, std::size_t k) {
     return "tip of branch " + std::to_string(held_by);
 }
 
-/// Joint k is node k; the mesh's node comes after them.
-void add_nodes(const decomposition::Rig& rig, std::string_view name, GltfBuilder& builder) {
+json translation(const Vec3& offset) { return {offset.x(), offset.y(), offset.z()}; }
+
+/// Joint k is node k; after them come the mesh's node and the one that holds the joints and carries
+/// them to where the model lies.
+void add_nodes(const decomposition::Rig& rig, const Vec3& origin, std::string_view name,
+               GltfBuilder& builder) {
     json nodes = json::array(), joints = json::array();
     std::vector<float> inverse_binds;
     for (std::size_t k = 0; k < rig.joints.size(); ++k) {
         const decomposition::Rig::Joint& joint = rig.joints[k];
-        const Vec3 origin = joint.parent < 0
-                                ? Vec3::Zero()
-                                : rig.joints[static_cast<std::size_t>(joint.parent)].position;
-        const Vec3 offset = joint.position - origin;
-        nodes.push_back(
-            {{"name", joint_name(rig, k)}, {"translation", {offset.x(), offset.y(), offset.z()}}});
+        const Vec3 held_at = joint.parent < 0
+                                 ? origin
+                                 : rig.joints[static_cast<std::size_t>(joint.parent)].position;
+        nodes.push_back({{"name", joint_name(rig, k)},
+                         {"translation", translation(joint.position - held_at)}});
         if (joint.parent >= 0)
             nodes[static_cast<std::size_t>(joint.parent)]["children"].push_back(k);
         joints.push_back(k);
+        const Vec3 to_joint = origin - joint.position;
         for (int column = 0; column < 4; ++column) {
             for (int row = 0; row < 4; ++row) {
-                const double moved = column == 3 && row < 3 ? -joint.position[row] : 0.0;
+                const double moved = column == 3 && row < 3 ? to_joint[row] : 0.0;
                 inverse_binds.push_back(static_cast<float>(row == column ? 1.0 : moved));
             }
         }
@@ -166,7 +171,10 @@ void add_nodes(const decomposition::Rig& rig, std::string_view name, GltfBuilder
     const std::size_t binds = builder.add(inverse_binds, "MAT4", 16, kFloat, 0);
     builder.document()["skins"] = json::array(
         {{{"joints", std::move(joints)}, {"inverseBindMatrices", binds}, {"skeleton", 0}}});
-    builder.document()["scenes"] = json::array({{{"nodes", {0, nodes.size() - 1}}}});
+    nodes.push_back(
+        {{"name", "origin"}, {"translation", translation(origin)}, {"children", {0}}});
+    builder.document()["scenes"] =
+        json::array({{{"nodes", {nodes.size() - 2, nodes.size() - 1}}}});
     builder.document()["scene"] = 0;
     builder.document()["nodes"] = std::move(nodes);
 }
@@ -176,9 +184,10 @@ void add_nodes(const decomposition::Rig& rig, std::string_view name, GltfBuilder
 std::string to_glb(const mesh::TriangleMesh& mesh, const decomposition::Segmentation& segmentation,
                    const decomposition::Rig& rig, std::string_view name) {
     GltfBuilder builder;
-    const json attributes = add_attributes(mesh, rig, builder);
+    const Vec3 origin = mesh::measure(mesh).bounds.center();
+    const json attributes = add_attributes(mesh, origin, rig, builder);
     add_mesh(mesh, segmentation, attributes, builder);
-    add_nodes(rig, name, builder);
+    add_nodes(rig, origin, name, builder);
     return builder.take();
 }
 

@@ -68,7 +68,10 @@ struct ModelSummary {
 
 /// A coarse copy of a model for viewers: at most about 2000 triangles.
 struct PreviewMesh {
-    std::vector<float> positions;          ///< x y z a vertex, model units
+    /// From where positions are counted, model units: the middle of the bounds, since floats about
+    /// the file's origin cannot tell the vertices of a model that lies far from it apart.
+    Vec3 origin = Vec3::Zero();
+    std::vector<float> positions;          ///< x y z a vertex from `origin`, model units
     std::vector<std::uint32_t> triangles;  ///< three vertex indices a triangle
 };
 

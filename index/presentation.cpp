@@ -113,8 +113,10 @@ json to_json(const decomposition::Decomposition::Part& part, double total_area) 
 }
 
 json to_json(const PreviewMesh& mesh, const Box3& bounds) {
-    return {
-        {"positions", mesh.positions}, {"triangles", mesh.triangles}, {"bounds", to_json(bounds)}};
+    return {{"origin", {mesh.origin.x(), mesh.origin.y(), mesh.origin.z()}},
+            {"positions", mesh.positions},
+            {"triangles", mesh.triangles},
+            {"bounds", to_json(bounds)}};
 }
 
 json to_json(const ModelSummary& model) {

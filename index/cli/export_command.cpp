@@ -4,11 +4,13 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/cli/write_file.h"
 #include "index/json_text.h"
+#include "index/model_segments.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -35,20 +37,6 @@ Result<std::vector<index::ModelSummary>> chosen(index::Store& store, const Optio
         models.insert(models.end(), named->begin(), named->end());
     }
     return models;
-}
-
-std::string off_text(const index::PreviewMesh& mesh) {
-    std::string text =
-        fmt::format("OFF\n{} {} 0\n", mesh.positions.size() / 3, mesh.triangles.size() / 3);
-    for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3) {
-        text += fmt::format("{} {} {}\n", mesh.positions[i], mesh.positions[i + 1],
-                            mesh.positions[i + 2]);
-    }
-    for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-        text += fmt::format("3 {} {} {}\n", mesh.triangles[i], mesh.triangles[i + 1],
-                            mesh.triangles[i + 2]);
-    }
-    return text;
 }
 
 /// What is written of one model.
@@ -83,7 +71,7 @@ Result<void> write_model(index::Store& store, const index::ModelSummary& model,
     for (const auto& written :
          {write_file(folder / (stem + ".json"), index::json_text(exported->document, 2) + "\n"),
           write_file(folder / (stem + ".obj"), wavefront_lines(exported->skeleton.graph)),
-          write_file(folder / (stem + ".off"), off_text(*preview)),
+          write_file(folder / (stem + ".off"), mesh::to_off(index::mesh_of(*preview))),
           pictured
               ? write_file(folder / (stem + ".png"),
                            {reinterpret_cast<const char*>(thumbnail->data()), thumbnail->size()})

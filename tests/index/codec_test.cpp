@@ -351,14 +351,31 @@ TEST(Codec, RefusesIndicesOutOfRange) {
     EXPECT_FALSE(decode_preview(encode_preview(model.preview)));
 }
 
+TEST(Codec, ReadsPreviewsOfVersionOneAboutTheFilesOrigin) {
+    const std::string blob = std::string("MESH\x01\0\0\0", 8);
+    const auto text = [](auto number) {
+        return std::string(reinterpret_cast<const char*>(&number), sizeof number);
+    };
+    std::string bytes = blob + text(std::uint32_t{3}) + text(std::uint32_t{1}) + '\x02';
+    for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 5.F}) bytes += text(x);
+    for (std::uint16_t v = 0; v < 3; ++v) bytes += text(v);
+    bytes += text(XXH3_64bits(bytes.data(), bytes.size()));
+    const auto decoded = decode_preview(bytes);
+    ASSERT_TRUE(decoded) << decoded.error().message;
+    EXPECT_EQ(decoded->origin, Vec3(0, 0, 0));
+    EXPECT_EQ(decoded->positions.back(), 5.F);
+}
+
 TEST(Codec, KeepsPreviewsWithManyVertices) {
     PreviewMesh mesh;
+    mesh.origin = {5e5, -5.1e6, 0.125};
     mesh.positions.assign(3 * 70'000, 1.5F);
     mesh.triangles = {0, 69'999, 5};
     const auto decoded = decode_preview(encode_preview(mesh));
     ASSERT_TRUE(decoded);
     EXPECT_EQ(decoded->triangles, mesh.triangles);
     EXPECT_EQ(decoded->positions, mesh.positions);
+    EXPECT_EQ(decoded->origin, mesh.origin);
 }
 
 TEST(Codec, KeepsWarnings) {

@@ -16,14 +16,38 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
     return word;
 }
 
-TEST(Gltf, HoldsPartsJointsAndWeights) {
-    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+/// A unit box with its low corner here, two parts and two joints.
+std::string box_glb(const Vec3& low) {
+    const mesh::TriangleMesh mesh = test::box_mesh(low, low + Vec3(1, 1, 1));
     std::vector<std::uint32_t> labels(mesh.triangles.size(), 0);
     labels[3] = labels[5] = 1;
     decomposition::Rig rig;
-    rig.joints = {{Vec3(0.5, 0.5, 0.5), -1, -1}, {Vec3(0.5, 0.5, 1.0), 0, 0}};
+    rig.joints = {{low + Vec3(0.5, 0.5, 0.5), -1, -1}, {low + Vec3(0.5, 0.5, 1.0), 0, 0}};
     rig.weights.assign(mesh.vertices.size(), {{1, 0, 0, 0}, {0.75F, 0.25F, 0.0F, 0.0F}});
-    const std::string glb = to_glb(mesh, decomposition::dense_segmentation(labels), rig, "box");
+    return to_glb(mesh, decomposition::dense_segmentation(labels), rig, "box");
+}
+
+TEST(Gltf, PositionsAreThoseAboutTheMiddleWhereverTheModelLies) {
+    const Vec3 low(1e9, -2e9, 3e9);
+    const std::string far = box_glb(low), near = box_glb({0, 0, 0});
+    const auto parsed = [](const std::string& glb) {
+        return nlohmann::json::parse(glb.substr(20, word_at(glb, 12)));
+    };
+    const auto far_away = parsed(far), at_zero = parsed(near);
+    // The same bytes but for the one translation: nothing is lost.
+    EXPECT_EQ(far.substr(20 + word_at(far, 12)), near.substr(20 + word_at(near, 12)));
+    EXPECT_EQ(far_away["nodes"][3]["translation"],
+              nlohmann::json::array({1e9 + 0.5, -2e9 + 0.5, 3e9 + 0.5}));
+    EXPECT_EQ(at_zero["nodes"][3]["translation"], nlohmann::json::array({0.5, 0.5, 0.5}));
+    EXPECT_EQ(at_zero["nodes"][3]["children"], nlohmann::json::array({0}));
+    EXPECT_EQ(at_zero["scenes"][0]["nodes"], nlohmann::json::array({2, 3}));
+    EXPECT_EQ(far_away["nodes"][0]["translation"], nlohmann::json::array({0.0, 0.0, 0.0}));
+    EXPECT_EQ(at_zero["accessors"][0]["max"], nlohmann::json::array({0.5, 0.5, 0.5}));
+}
+
+TEST(Gltf, HoldsPartsJointsAndWeights) {
+    const mesh::TriangleMesh mesh = test::box_mesh({0, 0, 0}, {1, 1, 1});
+    const std::string glb = box_glb({0, 0, 0});
 
     ASSERT_EQ(glb.substr(0, 4), "glTF");
     EXPECT_EQ(word_at(glb, 8), glb.size());

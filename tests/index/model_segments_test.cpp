@@ -26,24 +26,35 @@ NewModel described(const fs::path& path) {
 
 /// The share of the preview's area that each part has.
 std::vector<double> shares_on_preview(const NewModel& model) {
-    mesh::TriangleMesh mesh;
-    const auto& positions = model.preview.positions;
-    for (std::size_t i = 0; i < positions.size(); i += 3) {
-        mesh.vertices.push_back(
-            Vec3f(positions[i], positions[i + 1], positions[i + 2]).cast<double>());
-    }
+    const mesh::TriangleMesh mesh = mesh_of(model.preview);
     std::vector<double> shares(model.segments->parts.size(), 0.0);
     double total = 0.0;
     for (std::size_t t = 0; t < model.segments->labels.size(); ++t) {
-        mesh.triangles.push_back({model.preview.triangles[3 * t],
-                                  model.preview.triangles[3 * t + 1],
-                                  model.preview.triangles[3 * t + 2]});
         const double area = mesh::triangle_area(mesh, t);
         shares[model.segments->labels[t]] += area;
         total += area;
     }
     for (double& share : shares) share /= total;
     return shares;
+}
+
+TEST(Preview, KeepsEveryVertexOfAModelFarFromTheFilesOrigin) {
+    const auto text_at = [](const Vec3& place) {
+        mesh::TriangleMesh mesh = test::icosphere_mesh({0, 0, 0}, 0.5);
+        for (Vec3& vertex : mesh.vertices) vertex += place;
+        return mesh::to_off(mesh);
+    };
+    // A place like that of a survey in a metric grid: floats there are half a unit apart.
+    const Vec3 place(3.5e5, 5.8e6, 120);
+    const std::string near = text_at({0, 0, 0}), far = text_at(place);
+    const auto at_zero = describe_model({near, "near"}, {}), away = describe_model({far, "far"}, {});
+    ASSERT_TRUE(at_zero && away);
+    EXPECT_TRUE(away->preview.origin.isApprox(at_zero->preview.origin + place, 1e-12));
+    ASSERT_EQ(away->preview.positions.size(), at_zero->preview.positions.size());
+    EXPECT_EQ(away->preview.triangles, at_zero->preview.triangles);
+    for (std::size_t i = 0; i < away->preview.positions.size(); ++i) {
+        EXPECT_NEAR(away->preview.positions[i], at_zero->preview.positions[i], 1e-7);
+    }
 }
 
 TEST(ModelSegments, AreThoseOfTheFile) {

@@ -82,6 +82,13 @@ TEST_F(Search, GivesAPreviewOfTheQueryWhenAsked) {
     const auto mesh =
         server_.json(post("/v1/search?include=mesh&limit=1", tree()))["query"]["mesh"];
     ASSERT_FALSE(mesh["triangles"].empty());
+    ASSERT_EQ(mesh["origin"].size(), 3u);
+    // Positions are counted from the middle: the greatest is the least with another sign.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto middle = mesh["bounds"]["min"][axis].get<double>() / 2 +
+                            mesh["bounds"]["max"][axis].get<double>() / 2;
+        EXPECT_NEAR(mesh["origin"][axis].get<double>(), middle, 0.05);
+    }
     EXPECT_EQ(mesh["triangles"].size() % 3, 0u);
     EXPECT_LE(mesh["triangles"].size(), 3u * 2000u);
     for (const auto& corner : mesh["triangles"]) EXPECT_LT(corner, mesh["positions"].size() / 3);

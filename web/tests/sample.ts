@@ -44,6 +44,7 @@ export const kSkeleton = skeleton([
 ]);
 
 export const kMesh: PreviewMesh = {
+    origin: [0, 0, 0],
     positions: [0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1],
     triangles: [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3],
     bounds: { min: [0, 0, 0], max: [3, 1, 1] },

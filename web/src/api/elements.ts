@@ -7,7 +7,6 @@ import type {
     SearchResult,
     Segments,
     Skeleton,
-    Vector,
 } from './types';
 
 /**
@@ -35,10 +34,7 @@ export type ModelSummary = Model & Standing;
 export type QueryModel = SearchResult['query'] & Standing;
 
 /** At most a few thousand triangles: what the index keeps for drawing. */
-export type PreviewMesh = Mesh & {
-    /** From where the positions are counted, in the file's frame; missing: from the file's own origin. */
-    origin?: Vector;
-};
+export type PreviewMesh = Mesh;
 
 const kRankerOrder: Readonly<Record<Ranker, number>> = { hybrid: 0, skeleton: 1, 'chain-code': 2 };
 

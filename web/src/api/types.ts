@@ -495,7 +495,9 @@ export interface components {
             revision: number;
         };
         Mesh: {
-            /** @description x, y, z of each vertex. */
+            /** @description From where `positions` are counted, in the file's frame: near the middle of the model, so that single precision is enough for the positions of models that lie far from the file's origin. */
+            origin: components["schemas"]["Vector"];
+            /** @description x, y, z of each vertex, from `origin`. */
             positions: number[];
             /** @description Three vertex indices each. */
             triangles: number[];

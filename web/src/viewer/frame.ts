@@ -81,7 +81,7 @@ export function frameOf(points: readonly Vector[]): Frame {
 export function frameModel(mesh: PreviewMesh | null, skeleton: Skeleton): Frame {
     if (mesh && mesh.triangles.length > 0) {
         const { center, scale } = frameOf([...vertices(mesh)]);
-        const [x, y, z] = mesh.origin ?? kFileOrigin;
+        const [x, y, z] = mesh.origin;
         return { center: [x + center[0], y + center[1], z + center[2]], scale };
     }
     const lines = skeleton.branches.flatMap((branch) => branch.points);
