@@ -151,11 +151,10 @@ void add_nodes(const decomposition::Rig& rig, const Vec3& origin, std::string_vi
     std::vector<float> inverse_binds;
     for (std::size_t k = 0; k < rig.joints.size(); ++k) {
         const decomposition::Rig::Joint& joint = rig.joints[k];
-        const Vec3 held_at = joint.parent < 0
-                                 ? origin
-                                 : rig.joints[static_cast<std::size_t>(joint.parent)].position;
-        nodes.push_back({{"name", joint_name(rig, k)},
-                         {"translation", translation(joint.position - held_at)}});
+        const Vec3 held_at =
+            joint.parent < 0 ? origin : rig.joints[static_cast<std::size_t>(joint.parent)].position;
+        nodes.push_back(
+            {{"name", joint_name(rig, k)}, {"translation", translation(joint.position - held_at)}});
         if (joint.parent >= 0)
             nodes[static_cast<std::size_t>(joint.parent)]["children"].push_back(k);
         joints.push_back(k);
@@ -171,10 +170,8 @@ void add_nodes(const decomposition::Rig& rig, const Vec3& origin, std::string_vi
     const std::size_t binds = builder.add(inverse_binds, "MAT4", 16, kFloat, 0);
     builder.document()["skins"] = json::array(
         {{{"joints", std::move(joints)}, {"inverseBindMatrices", binds}, {"skeleton", 0}}});
-    nodes.push_back(
-        {{"name", "origin"}, {"translation", translation(origin)}, {"children", {0}}});
-    builder.document()["scenes"] =
-        json::array({{{"nodes", {nodes.size() - 2, nodes.size() - 1}}}});
+    nodes.push_back({{"name", "origin"}, {"translation", translation(origin)}, {"children", {0}}});
+    builder.document()["scenes"] = json::array({{{"nodes", {nodes.size() - 2, nodes.size() - 1}}}});
     builder.document()["scene"] = 0;
     builder.document()["nodes"] = std::move(nodes);
 }

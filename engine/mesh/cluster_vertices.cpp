@@ -1,6 +1,7 @@
 #include "engine/mesh/cluster_vertices.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -25,40 +26,88 @@ struct Clusters {
     std::uint32_t count = 0;
 };
 
-/// Numbers the occupied cells as the vertices come to them.
-Clusters assign_cells(const TriangleMesh& mesh, const Box3& bounds, int cells_along) {
-    const double scale = cells_along / bounds.sizes().maxCoeff();
+/// Which cluster a cell has, as the vertices come to the cells: an array where the grid is small
+/// against the mesh, else a hash table.
+class OccupiedCells {
+public:
+    OccupiedCells(std::size_t vertices, int cells_along) : cells_along_(cells_along) {
+        const auto side = static_cast<std::uint64_t>(cells_along);
+        direct_ = side * side * side <= 4 * vertices;
+        if (direct_) {
+            clusters_.assign(side * side * side, kFree);
+        } else {
+            slots_.resize(std::bit_ceil(2 * vertices + 1));
+        }
+    }
+
+    /// The cluster of this cell; `next`, which is then its own, where it has none yet.
+    std::uint32_t cluster_of(const std::array<std::uint32_t, 3>& cell, std::uint32_t next) {
+        const auto side = static_cast<std::uint32_t>(cells_along_);
+        const std::uint32_t number = (cell[0] * side + cell[1]) * side + cell[2];
+        if (direct_) {
+            std::uint32_t& cluster = clusters_[number];
+            if (cluster == kFree) cluster = next;
+            return cluster;
+        }
+        std::size_t slot = slot_of(number, slots_.size());
+        while (slots_[slot].cluster != kFree && slots_[slot].cell != number) {
+            slot = (slot + 1) & (slots_.size() - 1);
+        }
+        if (slots_[slot].cluster == kFree) slots_[slot] = {number, next};
+        return slots_[slot].cluster;
+    }
+
+private:
     struct Slot {
         std::uint32_t cell = 0;
         std::uint32_t cluster = kFree;
     };
-    std::vector<Slot> table(std::bit_ceil(2 * mesh.vertices.size() + 1));
+
+    int cells_along_;
+    bool direct_ = false;
+    std::vector<std::uint32_t> clusters_;
+    std::vector<Slot> slots_;
+};
+
+/// Numbers the occupied cells as the vertices come to them.
+Clusters assign_cells(const TriangleMesh& mesh, const Box3& bounds, int cells_along) {
+    const double scale = cells_along / bounds.sizes().maxCoeff();
+    OccupiedCells occupied(mesh.vertices.size(), cells_along);
     Clusters clusters;
     clusters.of_vertex.reserve(mesh.vertices.size());
     for (const Vec3& vertex : mesh.vertices) {
-        std::uint32_t cell = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double at = (vertex[axis] - bounds.min()[axis]) * scale;
+        std::array<std::uint32_t, 3> cell{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<Eigen::Index>(axis);
+            const double at = (vertex[i] - bounds.min()[i]) * scale;
             const double inside = std::clamp(at, 0.0, static_cast<double>(cells_along - 1));
-            cell = cell * kFinest + static_cast<std::uint32_t>(inside);
+            cell[axis] = static_cast<std::uint32_t>(inside);
         }
-        std::size_t slot = slot_of(cell, table.size());
-        while (table[slot].cluster != kFree && table[slot].cell != cell) {
-            slot = (slot + 1) & (table.size() - 1);
-        }
-        if (table[slot].cluster == kFree) table[slot] = {cell, clusters.count++};
-        clusters.of_vertex.push_back(table[slot].cluster);
+        const std::uint32_t cluster = occupied.cluster_of(cell, clusters.count);
+        if (cluster == clusters.count) ++clusters.count;
+        clusters.of_vertex.push_back(cluster);
     }
     return clusters;
 }
 
-/// The triangles that survive, each once whatever its orientation, in the order of the input.
-std::vector<TriangleMesh::Triangle> surviving_triangles(const TriangleMesh& mesh,
-                                                        const Clusters& clusters) {
+struct Survivors {
+    /// Each once whatever its orientation, in the order of the input; one too many, where there are
+    /// more than were asked for.
     std::vector<TriangleMesh::Triangle> triangles;
+    double estimate = 0;  ///< how many there are in all, by the share of the mesh that was read
+};
+
+/// The triangles that survive, read until there are more than `most`.
+Survivors surviving_triangles(const TriangleMesh& mesh, const Clusters& clusters,
+                              std::size_t most) {
+    Survivors survivors;
     std::vector<TriangleMesh::Triangle> sorted;
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * mesh.triangles.size() + 1), kFree);
+    const std::size_t room = std::min(mesh.triangles.size(), most + 1);
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * room + 1), kFree);
+    std::size_t seen = 0;
     for (TriangleMesh::Triangle triangle : mesh.triangles) {
+        if (survivors.triangles.size() > most) break;
+        ++seen;
         for (std::uint32_t& vertex : triangle) vertex = clusters.of_vertex[vertex];
         TriangleMesh::Triangle key = triangle;
         if (key[0] > key[1]) std::swap(key[0], key[1]);
@@ -73,11 +122,13 @@ std::vector<TriangleMesh::Triangle> surviving_triangles(const TriangleMesh& mesh
             slot = (slot + 1) & (table.size() - 1);
         }
         if (table[slot] != kFree) continue;
-        table[slot] = static_cast<std::uint32_t>(triangles.size());
-        triangles.push_back(triangle);
+        table[slot] = static_cast<std::uint32_t>(survivors.triangles.size());
+        survivors.triangles.push_back(triangle);
         sorted.push_back(key);
     }
-    return triangles;
+    survivors.estimate = static_cast<double>(survivors.triangles.size()) *
+                         static_cast<double>(mesh.triangles.size()) / static_cast<double>(seen);
+    return survivors;
 }
 
 std::vector<Vec3> representatives(const TriangleMesh& mesh, const Clusters& clusters) {
@@ -112,22 +163,24 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     double guess = side * std::sqrt(wanted / (2.0 * measures.surface_area + 1e-300));
     int fits = 0;
     int too_fine = kFinest + 1;
+    Clusters best;
     while (too_fine - fits > 1) {
         const double inside = std::clamp(guess, fits + 1.0, too_fine - 1.0);
         const int cells = static_cast<int>(inside);
-        const Clusters clusters = assign_cells(mesh, measures.bounds, cells);
-        std::vector<TriangleMesh::Triangle> triangles = surviving_triangles(mesh, clusters);
-        const auto count = static_cast<double>(triangles.size());
-        guess = cells * std::sqrt(wanted / std::max(1.0, count));
-        if (triangles.size() > max_triangles) {
+        Clusters clusters = assign_cells(mesh, measures.bounds, cells);
+        Survivors survivors = surviving_triangles(mesh, clusters, max_triangles);
+        guess = cells * std::sqrt(wanted / std::max(1.0, survivors.estimate));
+        if (survivors.triangles.size() > max_triangles) {
             too_fine = cells;
             continue;
         }
         fits = cells;
-        coarse.triangles = std::move(triangles);
-        coarse.vertices = representatives(mesh, clusters);
+        coarse.triangles = std::move(survivors.triangles);
+        best = std::move(clusters);
+        const auto count = static_cast<double>(coarse.triangles.size());
         if (count > 0.93 * static_cast<double>(max_triangles)) break;
     }
+    coarse.vertices = representatives(mesh, best);
     coarse.face_count = static_cast<std::uint32_t>(coarse.triangles.size());
     coarse.face_of_triangle.resize(coarse.triangles.size());
     std::iota(coarse.face_of_triangle.begin(), coarse.face_of_triangle.end(), 0u);

@@ -47,7 +47,8 @@ TEST(Preview, KeepsEveryVertexOfAModelFarFromTheFilesOrigin) {
     // A place like that of a survey in a metric grid: floats there are half a unit apart.
     const Vec3 place(3.5e5, 5.8e6, 120);
     const std::string near = text_at({0, 0, 0}), far = text_at(place);
-    const auto at_zero = describe_model({near, "near"}, {}), away = describe_model({far, "far"}, {});
+    const auto at_zero = describe_model({near, "near"}, {}),
+               away = describe_model({far, "far"}, {});
     ASSERT_TRUE(at_zero && away);
     EXPECT_TRUE(away->preview.origin.isApprox(at_zero->preview.origin + place, 1e-12));
     ASSERT_EQ(away->preview.positions.size(), at_zero->preview.positions.size());

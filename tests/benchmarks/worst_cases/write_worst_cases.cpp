@@ -12,7 +12,7 @@
 int main(int argc, char** argv) {
     using namespace ossuary;
     std::vector<std::string> arguments(argv + 1, argv + argc);
-    if (arguments.empty()) {
+    if (arguments.empty() || arguments.front().starts_with('-')) {
         std::cerr << "usage: ossuary_worst_cases FOLDER [--small] [NAME…]\n";
         return 2;
     }
