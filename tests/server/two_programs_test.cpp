@@ -114,5 +114,64 @@ TEST_F(TwoPrograms, WriteByTurnsAndLoseNothing) {
     EXPECT_EQ(names(run({"models", "--json"}).json()["models"]), expected);
 }
 
+/// Asks until the models' names are these; fails where they never become so.
+void expect_to_see(const TestServer& server, const std::set<std::string>& expected) {
+    std::set<std::string> seen;
+    RawAnswer answer;
+    for (int i = 0; i < 1000 && seen != expected; ++i) {
+        answer = server.ask(get("/v1/models"));
+        // 503 with Retry-After is right while the files change places.
+        ASSERT_TRUE(answer.status == 200 || answer.status == 503) << answer.body;
+        seen.clear();
+        if (answer.status != 200) continue;
+        const auto json = nlohmann::json::parse(answer.body);
+        for (const auto& model : json["models"]) seen.insert(model["name"].get<std::string>());
+        if (seen != expected) std::this_thread::sleep_for(10ms);
+    }
+    EXPECT_EQ(seen, expected) << answer.body;
+}
+
+TEST_F(TwoPrograms, AnIndexThatIsMovedIntoPlaceIsServedAndWritten) {
+    const fs::path new_index = folder_.path() / "made-elsewhere.index";
+    const auto made = run_ossuary({"index", "--index", new_index.string(), "--resolution", "32",
+                                   write_model("other").string()},
+                                  folder_.path());
+    ASSERT_EQ(made.exit_status, 0) << made.err;
+    const TestServer server(index_, with_key());
+    const RawAnswer before =
+        server.ask(post("/v1/models?name=before", built_models()[0].off + "# before\n", bearer()));
+    ASSERT_EQ(before.status, 202) << before.body;
+    while (!finished(server, before.header("Location"))) std::this_thread::sleep_for(10ms);
+
+    fs::rename(new_index, index_);
+    expect_to_see(server, {"other"});
+    EXPECT_EQ(server.ask(get("/readyz")).status, 200);
+    const RawAnswer after =
+        server.ask(post("/v1/models?name=after", built_models()[0].off + "# after\n", bearer()));
+    ASSERT_EQ(after.status, 202) << after.body;
+    while (!finished(server, after.header("Location"))) std::this_thread::sleep_for(10ms);
+    expect_to_see(server, {"after", "other"});
+    // What was written stands in the file of that name, and no other log has touched it.
+    EXPECT_EQ(names(run({"models", "--json"}).json()["models"]),
+              (std::set<std::string>{"after", "other"}));
+    EXPECT_EQ(run({"verify"}).exit_status, 0);
+}
+
+TEST_F(TwoPrograms, AnIndexThatHasGoneTakesNothing) {
+    const TestServer server(index_, with_key());
+    EXPECT_EQ(server.ask(get("/readyz")).status, 200);
+    fs::rename(index_, folder_.path() / "gone.index");
+    const RawAnswer added =
+        server.ask(post("/v1/models?name=lost", built_models()[0].off, bearer()));
+    EXPECT_EQ(added.status, 503) << added.body;
+    EXPECT_FALSE(added.header("Retry-After").empty());
+    EXPECT_EQ(server.ask(get("/readyz")).status, 503);
+    EXPECT_EQ(server.ask(get("/livez")).status, 200);
+    EXPECT_FALSE(fs::exists(index_));
+    fs::rename(folder_.path() / "gone.index", index_);
+    expect_to_see(server, {"balla", "ballb", "ringa", "ringb", "treea", "treeb"});
+    EXPECT_EQ(server.ask(get("/readyz")).status, 200);
+}
+
 }  // namespace
 }  // namespace ossuary::test
