@@ -7,22 +7,26 @@
 Each row is one run of one command in a process of its own: seconds on the wall, processor seconds (user and
 system), the largest resident memory, how it ended (the exit status and the code of the error, if any),
 warnings, and the milliseconds of the stages that the command reports. `search` looks in an index of the small
-versions of the same models (ossuary_worst_cases FOLDER/small --small).
+versions of the same models (ossuary_worst_cases FOLDER/small --small). `server` posts the model to a server of its
+own as a search, with a timeout of five seconds: the clock is the answer's, time and memory are the server's whole.
 """
 
 import argparse
 import csv
+import http.client
 import json
 import os
 import pathlib
 import platform
 import re
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-COMMANDS = ("skeleton", "segment", "index", "search")
+COMMANDS = ("skeleton", "segment", "index", "search", "server")
+REQUEST_TIMEOUT_S = 5
 COLUMNS = ("case", "command", "megabytes", "wall_s", "processor_s", "peak_mb", "exit", "outcome", "warnings",
            "stages_ms", "machine")
 
@@ -101,6 +105,39 @@ def measure(command, case, programs, small_index, limit_s):
     return row
 
 
+def measure_server(case, programs, small_index, limit_s):
+    """One search by upload, of a server that is started for it and ends after it."""
+    command = [str(programs / "ossuary-server"), "--index", small_index, "--port", "0", "--log-level", "off",
+               "--request-timeout", str(REQUEST_TIMEOUT_S), "--max-upload-bytes", str(1 << 30)]
+    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    port = int(server.stdout.readline().decode().rsplit(":", 1)[1])
+    model = case.read_bytes()
+    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=limit_s)
+    begin = time.monotonic()
+    try:
+        connection.request("POST", "/v1/search", model)
+        answer = connection.getresponse()
+        document, status = document_of(answer.read()), answer.status
+    except (OSError, http.client.HTTPException):
+        document, status = {}, "no answer"
+    wall = time.monotonic() - begin
+    connection.close()
+    server.send_signal(signal.SIGTERM)
+    _, ended, usage = os.wait4(server.pid, 0)
+    server.returncode = os.waitstatus_to_exitcode(ended)
+    server.stdout.close()
+    return {
+        "wall_s": round(wall, 2),
+        "processor_s": round(usage.ru_utime + usage.ru_stime, 2),
+        "peak_mb": round(usage.ru_maxrss / 1024),
+        "exit": server.returncode,
+        "outcome": "done" if status == 200 else document.get("code", status),
+        "warnings": " ".join(w["code"] for w in document.get("warnings", [])),
+        "stages_ms": " ".join(f"{stage['stage']}={stage['milliseconds']:.0f}"
+                              for stage in document.get("stages_ms", [])),
+    }
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", type=pathlib.Path, required=True, help="folder of the programs")
@@ -115,7 +152,7 @@ def main():
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         small_index = f"{folder}/small.ossuary"
-        if "search" in options.commands:
+        if {"search", "server"} & set(options.commands):
             subprocess.run([options.bin / "ossuary", "index", "--index", small_index, options.cases / "small"],
                            check=True, capture_output=True)
         for case in sorted(options.cases.glob("*.off")):
@@ -124,7 +161,8 @@ def main():
             for command in options.commands:
                 row = {"case": case.stem, "command": command, "machine": named,
                        "megabytes": round(case.stat().st_size / 1e6, 1)}
-                row |= measure(command, case, options.bin, small_index, options.limit)
+                row |= (measure_server(case, options.bin, small_index, options.limit) if command == "server" else
+                        measure(command, case, options.bin, small_index, options.limit))
                 rows.append(row)
                 print(" ".join(f"{row[column]}" for column in COLUMNS[:-1]), flush=True)
     if options.out:

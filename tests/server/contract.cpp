@@ -1,0 +1,118 @@
+#include "tests/server/contract.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "server/embedded.h"
+
+namespace ossuary::test {
+namespace {
+
+using nlohmann::json;
+
+json scalar(const YAML::Node& node) {
+    const std::string text = node.Scalar();
+    // yaml-cpp gives quoted and literal scalars the tag "!".
+    if (node.Tag() == "!") return text;
+    if (text == "true" || text == "false") return text == "true";
+    const json number = json::parse(text, nullptr, false);
+    return number.is_number() ? number : json(text);
+}
+
+json converted(const YAML::Node& node) {
+    if (node.IsMap()) {
+        json object = json::object();
+        for (const auto& entry : node) object[entry.first.Scalar()] = converted(entry.second);
+        return object;
+    }
+    if (node.IsSequence()) {
+        json array = json::array();
+        for (const auto& entry : node) array.push_back(converted(entry));
+        return array;
+    }
+    return node.IsNull() ? json() : scalar(node);
+}
+
+/// Adds what a part of an allOf asks for: properties and the names of those that must be there.
+void merge(json& whole, const json& part) {
+    for (const auto& [key, value] : part.items()) {
+        if (key == "properties" && whole.contains(key)) {
+            whole[key].update(value);
+        } else if (key == "required" && whole.contains(key)) {
+            whole[key].insert(whole[key].end(), value.begin(), value.end());
+        } else {
+            whole[key] = value;
+        }
+    }
+}
+
+/// The schema with its allOf written out and with no room for other properties than its own:
+/// "additionalProperties: false" beside an allOf would refuse the parts' properties.
+json closed(const json& schema) {
+    if (schema.is_array()) {
+        json all = json::array();
+        for (const json& each : schema) all.push_back(closed(each));
+        return all;
+    }
+    if (!schema.is_object()) return schema;
+    json whole = json::object();
+    if (schema.contains("allOf")) {
+        for (const json& part : schema["allOf"]) merge(whole, closed(resolved(part)));
+    }
+    json own = json::object();
+    for (const auto& [key, value] : schema.items()) {
+        // Data, not schemas.
+        const bool data = key == "enum" || key == "const" || key == "example" || key == "required";
+        if (key != "allOf") own[key] = data ? value : closed(value);
+    }
+    merge(whole, own);
+    if (whole.contains("properties") && whole["properties"].is_object() &&
+        !whole.contains("additionalProperties")) {
+        whole["additionalProperties"] = false;
+    }
+    return whole;
+}
+
+const json& closed_components() {
+    static const json components = {{"schemas", closed(contract()["components"]["schemas"])}};
+    return components;
+}
+
+}  // namespace
+
+const json& contract() {
+    static const json document = parse_yaml(std::string(server::kOpenApiDocument));
+    return document;
+}
+
+const json& resolved(const json& node) {
+    if (!node.contains("$ref")) return node;
+    return contract().at(json::json_pointer(node["$ref"].get<std::string>().substr(1)));
+}
+
+json parse_yaml(const std::string& text) { return converted(YAML::Load(text)); }
+
+std::vector<std::string> schema_faults(const json& schema, const json& value) {
+    // References lead into the document that they stand in, so the parts come along.
+    json root = closed(resolved(schema));
+    root["components"] = closed_components();
+    valijson::Schema parsed;
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(root), parsed);
+    valijson::ValidationResults results;
+    valijson::Validator().validate(parsed, valijson::adapters::NlohmannJsonAdapter(value),
+                                   &results);
+    std::vector<std::string> faults;
+    valijson::ValidationResults::Error error;
+    while (results.popError(error)) {
+        std::string where;
+        for (const std::string& step : error.context) where += step;
+        faults.push_back(where + ": " + error.description);
+    }
+    return faults;
+}
+
+}  // namespace ossuary::test
