@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <fstream>
 #include <map>
 
+#include "engine/core/whole_file.h"
 #include "index/content_hash.h"
 #include "index/timestamp.h"
 
@@ -197,11 +197,7 @@ Result<void> write_matrix(const std::filesystem::path& path,
         const auto bits = std::bit_cast<std::uint32_t>(value);
         for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift);
     }
-    std::ofstream file(path, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
-    return {};
+    return write_whole_file(path, bytes);
 }
 
 }  // namespace ossuary::index

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
-#include <fstream>
 #include <map>
 
+#include "engine/core/whole_file.h"
 #include "index/report_text.h"
 
 namespace ossuary::index {
@@ -136,12 +136,7 @@ Result<void> write_pose_gallery(const fs::path& folder, Store& store,
     if (!html) return html.error();
     std::error_code error;
     fs::create_directories(folder, error);
-    const fs::path path = folder / "poses.html";
-    std::ofstream file(path, std::ios::binary);
-    file.write(html->data(), static_cast<std::streamsize>(html->size()));
-    file.close();
-    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
-    return {};
+    return write_whole_file(folder / "poses.html", *html);
 }
 
 }  // namespace ossuary::index

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <fstream>
 
+#include "engine/core/whole_file.h"
 #include "engine/ranking/bootstrap.h"
 #include "index/report_text.h"
 
@@ -151,14 +151,6 @@ std::string confusion_table(const ranking::RetrievalReport& report) {
     return html + "</tbody></table></div>\n";
 }
 
-Result<void> write_text(const fs::path& path, std::string_view text) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
-    return {};
-}
-
 }  // namespace
 
 std::string precision_recall_csv(std::span<const Evaluation> evaluations) {
@@ -266,7 +258,9 @@ Result<void> write_report(const fs::path& folder, std::span<const Evaluation> ev
         {"precision-recall.svg", precision_recall_svg(evaluations)},
     };
     for (const auto& [name, text] : files) {
-        if (const auto written = write_text(folder / name, text); !written) return written.error();
+        if (const auto written = write_whole_file(folder / name, text); !written) {
+            return written.error();
+        }
     }
     return {};
 }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
+#include "engine/core/whole_file.h"
 #include "server/etag.h"
 
 namespace ossuary::server {
@@ -35,14 +34,6 @@ constexpr std::array kTypes = {
     EndingType{".wasm", "application/wasm"},
     EndingType{".txt", "text/plain; charset=utf-8"},
 };
-
-Result<std::string> read_file(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-    if (!in) return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read"};
-    return std::move(text).str();
-}
 
 }  // namespace
 
@@ -83,15 +74,16 @@ Result<StaticFiles> StaticFiles::load(const fs::path& folder) {
         std::error_code ignored;
         if (entry->is_symlink(ignored) || !entry->is_regular_file(ignored) || type.empty())
             continue;
-        auto content = read_file(path);
-        if (!content) return content.error();
-        bytes += content->size();
+        const auto file = read_whole_file(path, kMaxBytes);
+        if (!file) return file.error();
+        std::string content(file->view());
+        bytes += content.size();
         if (bytes > kMaxBytes) {
             return {ErrorCode::kFileTooLarge, folder.string() + ": more than 64 MB of files"};
         }
-        std::string etag = etag_of(*content);
+        std::string etag = etag_of(content);
         files.files_["/" + path.lexically_relative(folder).generic_string()] = {
-            std::string(type), *std::move(content), std::move(etag), is_hashed_name(name)};
+            std::string(type), std::move(content), std::move(etag), is_hashed_name(name)};
     }
     if (fault) return {ErrorCode::kFileUnreadable, folder.string() + ": " + fault.message()};
     return files;

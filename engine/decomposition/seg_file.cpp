@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <sstream>
+
+#include "engine/core/whole_file.h"
 
 namespace ossuary::decomposition {
 namespace {
@@ -45,15 +45,9 @@ Result<Segmentation> parse_seg(std::string_view text, std::string_view name, std
 }
 
 Result<Segmentation> read_seg(const std::filesystem::path& path, std::size_t faces) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) {
-        return {ErrorCode::kFileNotFound, path.string() + ": no such file"};
-    }
-    std::ifstream in(path, std::ios::binary);
-    std::stringstream text;
-    if (in) text << in.rdbuf();
-    if (!in || !text) return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read"};
-    return parse_seg(text.view(), path.filename().string(), faces);
+    const Result<WholeFile> file = read_whole_file(path);
+    if (!file) return file.error();
+    return parse_seg(file->view(), path.filename().string(), faces);
 }
 
 std::string to_seg(const Segmentation& segmentation) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <system_error>
 
+#include "engine/core/whole_file.h"
 #include "engine/mesh/inspect.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_obj.h"
@@ -21,47 +22,10 @@
 namespace ossuary::mesh {
 namespace {
 
-struct FileContents {
-    std::unique_ptr<char[]> bytes;
-    std::size_t size = 0;
-};
-
 Error too_large(std::string_view name, std::uint64_t size, std::uint64_t cap) {
     return {ErrorCode::kFileTooLarge, std::string(name) + ": expected at most " +
                                           std::to_string(cap) + " bytes, found " +
                                           std::to_string(size)};
-}
-
-// One read into a buffer, not a memory map: a file that shrinks under a map kills the process.
-Result<FileContents> read_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
-    const std::string name = path.string();
-    std::error_code failure;
-    const auto status = std::filesystem::status(path, failure);
-    if (status.type() == std::filesystem::file_type::not_found) {
-        return {ErrorCode::kFileNotFound, name + ": no such file"};
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        return {ErrorCode::kFileUnreadable, name + ": not a regular file"};
-    }
-    const std::uintmax_t size = std::filesystem::file_size(path, failure);
-    if (failure) return {ErrorCode::kFileUnreadable, name + ": " + failure.message()};
-    if (size > max_bytes) return too_large(name, size, max_bytes);
-
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
-    if (!file) {
-        const std::error_code reason(errno, std::generic_category());
-        return {ErrorCode::kFileUnreadable, name + ": " + reason.message()};
-    }
-    FileContents contents;
-    contents.bytes = std::make_unique_for_overwrite<char[]>(size);
-    contents.size = std::fread(contents.bytes.get(), 1, size, file.get());
-    if (std::ferror(file.get()) != 0) {
-        return {ErrorCode::kFileUnreadable, name + ": reading failed"};
-    }
-    return contents;
 }
 
 Result<void> check_extent(const TriangleMesh& mesh, std::string_view name,
@@ -112,9 +76,9 @@ Error not_read(std::string_view bytes, std::string_view name) {
 
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options,
                                  const std::stop_token& stop) {
-    Result<FileContents> contents = read_file(path, options.max_bytes);
-    if (!contents) return contents.error();
-    return read_mesh({contents->bytes.get(), contents->size}, path.string(), options, stop);
+    const Result<WholeFile> file = read_whole_file(path, options.max_bytes);
+    if (!file) return file.error();
+    return read_mesh(file->view(), path.string(), options, stop);
 }
 
 Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
-#include <fstream>
 #include <vector>
+
+#include "engine/core/whole_file.h"
 
 namespace ossuary::mesh {
 namespace {
@@ -79,14 +80,6 @@ void append_float_position(std::string& text, const Vec3f& position) {
         append_number(text, x);
     }
     text += '\n';
-}
-
-Result<void> write_text(const std::string& text, const std::filesystem::path& path) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
-    return {};
 }
 
 }  // namespace
@@ -175,11 +168,11 @@ std::string to_stl(const TriangleMesh& mesh, std::span<const std::uint32_t> grou
 }
 
 Result<void> write_off(const TriangleMesh& mesh, const std::filesystem::path& path) {
-    return write_text(to_off(mesh), path);
+    return write_whole_file(path, to_off(mesh));
 }
 
 Result<void> write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
-    return write_text(to_obj(mesh), path);
+    return write_whole_file(path, to_obj(mesh));
 }
 
 }  // namespace ossuary::mesh

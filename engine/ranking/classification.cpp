@@ -5,9 +5,10 @@
 #include <cassert>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <unordered_map>
+
+#include "engine/core/whole_file.h"
 
 namespace ossuary::ranking {
 namespace {
@@ -238,25 +239,9 @@ Result<Classification> parse_classification(std::string_view text, std::string_v
 }
 
 Result<Classification> read_classification(const std::filesystem::path& path) {
-    std::error_code failure;
-    const auto status = std::filesystem::status(path, failure);
-    if (!std::filesystem::exists(status)) {
-        return {ErrorCode::kFileNotFound, path.string() + ": no such file"};
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": not a regular file"};
-    }
-    const std::uintmax_t bytes = std::filesystem::file_size(path, failure);
-    if (!failure && bytes > kMaxBytes) {
-        return {ErrorCode::kFileTooLarge, path.string() + ": " + std::to_string(bytes) +
-                                              " bytes; at most " + std::to_string(kMaxBytes)};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::string text(failure ? 0 : static_cast<std::size_t>(bytes), '\0');
-    if (failure || !file || !file.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read"};
-    }
-    return parse_classification(text, path.string());
+    const Result<WholeFile> file = read_whole_file(path, kMaxBytes);
+    if (!file) return file.error();
+    return parse_classification(file->view(), path.string());
 }
 
 }  // namespace ossuary::ranking

@@ -5,11 +5,12 @@
 #include <cctype>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include "engine/core/whole_file.h"
 
 namespace ossuary::voxel {
 namespace {
@@ -225,25 +226,11 @@ Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
 }
 
 Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& options) {
-    std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) {
-        return {ErrorCode::kFileNotFound, path.string() + ": no such file"};
-    }
-    const std::uintmax_t size = std::filesystem::file_size(path, problem);
-    std::ifstream file(path, std::ios::binary);
-    if (problem || !file) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read as a file"};
-    }
-    if (size > options.max_voxels + kMaxHeader + 12) {
-        return {ErrorCode::kVolumeTooLarge,
-                path.string() + ": found " + std::to_string(size) + " bytes, expected at most " +
-                    std::to_string(options.max_voxels) + " voxels of one byte"};
-    }
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": reading failed"};
-    }
-    return parse_npy(bytes, path.string(), options);
+    const std::uint64_t most = options.max_voxels + kMaxHeader + 12;
+    const Result<WholeFile> file = read_whole_file(path, most);
+    if (file) return parse_npy(file->view(), path.string(), options);
+    if (file.error().code != ErrorCode::kFileTooLarge) return file.error();
+    return {ErrorCode::kVolumeTooLarge, file.error().message};
 }
 
 std::string format_npy(const BitVolume& volume) {
@@ -272,12 +259,7 @@ std::string format_npy(const BitVolume& volume) {
 }
 
 Result<void> write_npy(const BitVolume& volume, const std::filesystem::path& path) {
-    const std::string bytes = format_npy(volume);
-    std::ofstream file(path, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) return {ErrorCode::kFileUnwritable, path.string() + ": cannot be written"};
-    return {};
+    return write_whole_file(path, format_npy(volume));
 }
 
 }  // namespace ossuary::voxel

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/whole_file.h"
 #include "engine/decomposition/seg_file.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
-#include "index/cli/write_file.h"
 #include "index/json_text.h"
 #include "index/parts_sheet.h"
 #include "index/segmentation_evaluation.h"
@@ -32,13 +32,14 @@ Result<void> write_all(const std::filesystem::path& folder,
     std::filesystem::create_directories(folder, failure);
     if (failure) return {ErrorCode::kFileUnwritable, folder.string() + ": " + failure.message()};
     for (const auto& model : evaluation.models) {
-        const auto written =
-            write_file(folder / (model.id + ".seg"), decomposition::to_seg(model.segmentation));
+        const auto written = write_whole_file(folder / (model.id + ".seg"),
+                                              decomposition::to_seg(model.segmentation));
         if (!written.ok()) return written.error();
     }
-    const auto written = write_file(folder / "scores.csv", to_csv(evaluation));
+    const auto written = write_whole_file(folder / "scores.csv", to_csv(evaluation));
     if (!written.ok()) return written.error();
-    return write_file(folder / "scores.json", index::json_text(to_json(evaluation), 2) + "\n");
+    return write_whole_file(folder / "scores.json",
+                            index::json_text(to_json(evaluation), 2) + "\n");
 }
 
 void print_evaluation(const index::SegmentationEvaluation& evaluation) {
@@ -103,7 +104,7 @@ Result<ExitCode> run(Options options, const Session& session) {
         const auto png = index::evaluation_sheet(options.evaluation, *evaluation, kCellPixels);
         if (!png.ok()) return png.error();
         const std::string bytes(png->begin(), png->end());
-        if (const auto written = write_file(options.picture, bytes); !written.ok()) {
+        if (const auto written = write_whole_file(options.picture, bytes); !written.ok()) {
             return written.error();
         }
     }

@@ -4,11 +4,12 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/whole_file.h"
 #include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
-#include "index/cli/write_file.h"
+#include "index/cli/wavefront_lines.h"
 #include "index/json_text.h"
 #include "index/model_segments.h"
 #include "index/presentation.h"
@@ -69,13 +70,14 @@ Result<void> write_model(index::Store& store, const index::ModelSummary& model,
     }
     const std::string stem = std::to_string(model.id);
     for (const auto& written :
-         {write_file(folder / (stem + ".json"), index::json_text(exported->document, 2) + "\n"),
-          write_file(folder / (stem + ".obj"), wavefront_lines(exported->skeleton.graph)),
-          write_file(folder / (stem + ".off"), mesh::to_off(index::mesh_of(*preview))),
-          pictured
-              ? write_file(folder / (stem + ".png"),
-                           {reinterpret_cast<const char*>(thumbnail->data()), thumbnail->size()})
-              : Result<void>{}}) {
+         {write_whole_file(folder / (stem + ".json"),
+                           index::json_text(exported->document, 2) + "\n"),
+          write_whole_file(folder / (stem + ".obj"), wavefront_lines(exported->skeleton.graph)),
+          write_whole_file(folder / (stem + ".off"), mesh::to_off(index::mesh_of(*preview))),
+          pictured ? write_whole_file(
+                         folder / (stem + ".png"),
+                         {reinterpret_cast<const char*>(thumbnail->data()), thumbnail->size()})
+                   : Result<void>{}}) {
         if (!written.ok()) return written;
     }
     return {};

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/whole_file.h"
 #include "engine/decomposition/decompose.h"
 #include "engine/decomposition/rig.h"
 #include "engine/decomposition/seg_file.h"
@@ -12,7 +13,6 @@
 #include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
-#include "index/cli/write_file.h"
 #include "index/coloured_parts.h"
 #include "index/gltf.h"
 #include "index/json_text.h"
@@ -56,18 +56,18 @@ Result<void> write_out(const std::string& out, const mesh::TriangleMesh& mesh,
                        const decomposition::Decomposition& decomposition,
                        const decomposition::Segmentation& faces) {
     const std::string extension = std::filesystem::path(out).extension().string();
-    if (extension == ".seg") return write_file(out, decomposition::to_seg(faces));
+    if (extension == ".seg") return write_whole_file(out, decomposition::to_seg(faces));
     const std::vector<std::uint32_t>& parts = decomposition.segmentation.labels;
     const auto colours = [&] { return index::part_colours(decomposition.segmentation); };
-    if (extension == ".ply") return write_file(out, mesh::to_ply(mesh, colours()));
-    if (extension == ".off") return write_file(out, mesh::to_off(mesh, colours()));
-    if (extension == ".obj") return write_file(out, mesh::to_obj(mesh, parts, "part"));
-    if (extension == ".stl") return write_file(out, mesh::to_stl(mesh, parts, "part"));
+    if (extension == ".ply") return write_whole_file(out, mesh::to_ply(mesh, colours()));
+    if (extension == ".off") return write_whole_file(out, mesh::to_off(mesh, colours()));
+    if (extension == ".obj") return write_whole_file(out, mesh::to_obj(mesh, parts, "part"));
+    if (extension == ".stl") return write_whole_file(out, mesh::to_stl(mesh, parts, "part"));
     if (extension == ".glb") {
         const mesh::TriangleMesh welded = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
         const decomposition::Rig rig = decomposition::make_rig(welded, decomposition.skeleton);
         const std::string name = std::filesystem::path(out).stem().string();
-        return write_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
+        return write_whole_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
     }
     return {ErrorCode::kInvalidArgument,
             fmt::format(

@@ -4,12 +4,13 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "engine/skeleton/skeletonize.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
-#include "index/cli/write_file.h"
+#include "index/cli/wavefront_lines.h"
 #include "index/json_text.h"
 #include "index/presentation.h"
 
@@ -47,8 +48,8 @@ nlohmann::json document_of(const skeleton::SkeletonGraph& graph, const Options& 
 Result<void> write_out(const std::string& out, const skeleton::SkeletonGraph& graph,
                        const nlohmann::json& document) {
     const std::string extension = std::filesystem::path(out).extension().string();
-    if (extension == ".obj") return write_file(out, wavefront_lines(graph));
-    if (extension == ".json") return write_file(out, index::json_text(document, 2) + "\n");
+    if (extension == ".obj") return write_whole_file(out, wavefront_lines(graph));
+    if (extension == ".json") return write_whole_file(out, index::json_text(document, 2) + "\n");
     return {ErrorCode::kInvalidArgument,
             fmt::format("{}: a skeleton is written as .obj or .json", out)};
 }

@@ -1,23 +1,8 @@
-#include "index/cli/write_file.h"
+#include "index/cli/wavefront_lines.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
 namespace ossuary::cli {
-
-Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) {
-        return {ErrorCode::kFileUnwritable,
-                fmt::format("{}: {}", path.string(), std::strerror(errno))};
-    }
-    return {};
-}
 
 std::string wavefront_lines(const skeleton::SkeletonGraph& graph) {
     std::string vertices = "# curve skeleton: one polyline a branch\n";
