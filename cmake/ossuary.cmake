@@ -23,9 +23,8 @@ if(OSSUARY_SANITIZE)
     list(APPEND OSSUARY_LINK_OPTIONS -fsanitize=${OSSUARY_SANITIZE})
 endif()
 if(OSSUARY_ONE_DEFINITION)
-    # The linker is shown all types of a program and compares those of one name.
+    # For scripts/one-definition, which has all types of all libraries compared.
     list(APPEND OSSUARY_COMPILE_OPTIONS -flto)
-    list(APPEND OSSUARY_LINK_OPTIONS -flto=2 -Wodr -Werror=odr)
 endif()
 if(OSSUARY_COVERAGE)
     list(APPEND OSSUARY_COMPILE_OPTIONS --coverage)
