@@ -14,7 +14,8 @@ struct Close {
 using OpenFile = std::unique_ptr<std::FILE, Close>;
 
 Error failure(ErrorCode code, const std::filesystem::path& path, int reason) {
-    return {code, path.string() + ": " + std::error_code(reason, std::generic_category()).message()};
+    return {code,
+            path.string() + ": " + std::error_code(reason, std::generic_category()).message()};
 }
 
 }  // namespace
@@ -34,9 +35,8 @@ Result<WholeFile> read_whole_file(const std::filesystem::path& path, std::uint64
     const std::uintmax_t size = fs::file_size(path, error);
     if (error) return {ErrorCode::kFileUnreadable, name + ": " + error.message()};
     if (size > max_bytes) {
-        return {ErrorCode::kFileTooLarge, name + ": expected at most " +
-                                              std::to_string(max_bytes) + " bytes, found " +
-                                              std::to_string(size)};
+        return {ErrorCode::kFileTooLarge, name + ": expected at most " + std::to_string(max_bytes) +
+                                              " bytes, found " + std::to_string(size)};
     }
     const OpenFile file(std::fopen(path.c_str(), "rb"));
     if (!file) return failure(ErrorCode::kFileUnreadable, path, errno);
