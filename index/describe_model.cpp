@@ -6,7 +6,7 @@
 #include "engine/descriptor/describe.h"
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
-#include "engine/mesh/read_mesh.h"
+#include "engine/voxel/read_model.h"
 #include "index/content_hash.h"
 #include "index/model_segments.h"
 #include "index/turn_model.h"
@@ -24,7 +24,7 @@ Error describing_cancelled(std::string_view name) {
 
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
                                   std::stop_token stop) {
-    auto read = mesh::read_mesh(source.bytes, source.name, {}, stop);
+    auto read = voxel::read_model(source.bytes, source.name, {}, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);

@@ -61,8 +61,13 @@ bool may_follow_word(std::string_view glued) {
 
 /// Whether a single number is followed by a line of three counts.
 bool is_from_qhull(TextScanner scanner) {
+    constexpr std::uint64_t kMostDimensions = 9;  // of points as text it is their number
+    std::uint64_t dimension = 0;
+    if (scanner.read_count(dimension) != NumberStatus::kOk || dimension > kMostDimensions) {
+        return false;
+    }
+    if (!scanner.at_line_end()) return false;
     std::uint64_t ignored = 0;
-    if (scanner.read_count(ignored) != NumberStatus::kOk || !scanner.at_line_end()) return false;
     if (!scanner.find_token()) return false;
     for (int count = 0; count < 3; ++count) {
         if (scanner.at_line_end() || scanner.read_count(ignored) != NumberStatus::kOk) return false;

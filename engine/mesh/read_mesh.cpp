@@ -16,6 +16,7 @@
 #include "engine/mesh/read_off.h"
 #include "engine/mesh/read_ply.h"
 #include "engine/mesh/read_stl.h"
+#include "engine/mesh/read_xyz.h"
 #include "engine/mesh/recognise_format.h"
 #include "engine/mesh/text_scanner.h"
 
@@ -54,6 +55,8 @@ FormatReader reader_of(ModelFormat format) {
             return read_obj;
         case ModelFormat::kPly:
             return read_ply;
+        case ModelFormat::kXyz:
+            return read_xyz;
         default:
             return nullptr;
     }
@@ -61,7 +64,7 @@ FormatReader reader_of(ModelFormat format) {
 
 Error not_read(std::string_view bytes, std::string_view name) {
     const std::string expected =
-        std::string(name) + ": expected an OFF, STL, OBJ or PLY file, found ";
+        std::string(name) + ": expected an OFF, STL, OBJ, PLY or XYZ file, found ";
     const ModelFormat format = recognise_format(bytes);
     if (format != ModelFormat::kUnknown) {
         return {ErrorCode::kFormatUnsupported, expected + std::string(to_string(format))};
@@ -101,8 +104,9 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 9> kExtensions = {
-        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff", ".stl", ".obj", ".ply"};
+    constexpr std::array<std::string_view, 12> kExtensions = {".off",   ".coff",  ".noff", ".cnoff",
+                                                              ".ncoff", ".stoff", ".stl",  ".obj",
+                                                              ".ply",   ".xyz",   ".pts",  ".asc"};
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

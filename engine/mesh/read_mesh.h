@@ -31,12 +31,12 @@ struct ReadMeshResult {
 };
 
 /// Reads a model file; the format follows its contents, not its name: OFF and relatives, STL, OBJ,
-/// PLY. What is odd about the surface but does not keep it from being used comes back as warnings.
-/// Errors: file_not_found, file_unreadable, file_too_large, format_unsupported (the message names
-/// the format that was recognised), format_unknown, and those of the format's own reader
-/// (read_off.h, read_stl.h, read_obj.h, read_ply.h); mesh_scale (coordinates or an extent beyond
-/// the options' limits); cancelled. A file that holds no face is no error, nor is one whose faces
-/// are all in one place.
+/// PLY, points as text. What is odd about the surface but does not keep it from being used comes
+/// back as warnings. Errors: file_not_found, file_unreadable, file_too_large, format_unsupported
+/// (the message names the format that was recognised), format_unknown, and those of the format's
+/// own reader (read_off.h, read_stl.h, read_obj.h, read_ply.h, read_xyz.h); mesh_scale (coordinates
+/// or an extent beyond the options' limits); cancelled. A file that holds no face is no error, nor
+/// is one whose faces are all in one place.
 Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
                                  const ReadMeshOptions& options = {},
                                  const std::stop_token& stop = {});

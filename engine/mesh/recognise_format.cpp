@@ -8,6 +8,7 @@
 #include "engine/mesh/ply_header.h"
 #include "engine/mesh/read_obj.h"
 #include "engine/mesh/read_stl.h"
+#include "engine/mesh/read_xyz.h"
 #include "engine/mesh/text_scanner.h"
 
 namespace ossuary::mesh {
@@ -44,7 +45,9 @@ ModelFormat recognise_format(std::string_view bytes) {
     if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
     if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
     if (looks_like_ply(bytes)) return ModelFormat::kPly;
-    if (looks_like_off(bytes)) return ModelFormat::kOff;
+    if (looks_like_off(bytes)) {
+        return is_xyz_rather_than_off(bytes) ? ModelFormat::kXyz : ModelFormat::kOff;
+    }
     if (resembles_binary_stl(bytes)) return ModelFormat::kStlBinary;
     if (looks_like_stl_text(bytes)) return ModelFormat::kStlText;
 
@@ -55,7 +58,8 @@ ModelFormat recognise_format(std::string_view bytes) {
         return ModelFormat::kXml;
     }
     if (is_geomview(bytes)) return ModelFormat::kGeomview;
-    return looks_like_obj(bytes) ? ModelFormat::kObj : ModelFormat::kUnknown;
+    if (looks_like_obj(bytes)) return ModelFormat::kObj;
+    return looks_like_xyz(bytes) ? ModelFormat::kXyz : ModelFormat::kUnknown;
 }
 
 std::string_view to_string(ModelFormat format) {
@@ -72,6 +76,8 @@ std::string_view to_string(ModelFormat format) {
             return "PLY";
         case ModelFormat::kObj:
             return "OBJ";
+        case ModelFormat::kXyz:
+            return "XYZ (points as text)";
         case ModelFormat::kGltfText:
             return "glTF";
         case ModelFormat::kGltfBinary:

@@ -12,6 +12,7 @@ enum class ModelFormat {
     kStlBinary,
     kPly,
     kObj,
+    kXyz,  ///< points as text
     kGltfText,
     kGltfBinary,
     kVrml,

@@ -128,18 +128,20 @@ TEST_F(IndexerTest, RecordsFailuresWithTheirCodesAndGoesOn) {
     test::write_sample_meshes(models_, 2);
     test::write_file(models_ / "00a_truncated.off", "OFF\n3 1 0\n0 0 0\n");
     test::write_file(models_ / "00b_empty.off", "");
-    test::write_file(models_ / "00c_faceless.off", "OFF\n1 0 0\n0 0 0\n");
+    test::write_file(models_ / "00c_faceless.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n");
+    test::write_file(models_ / "00d_two_points.off", "OFF\n2 0 0\n0 0 0\n1 0 0\n");
     Store store = open();
     Listener listener;
     const auto outcome = index_models(store, options(), listener);
     ASSERT_TRUE(outcome);
     EXPECT_EQ(outcome->indexed, 2U);
-    EXPECT_EQ(outcome->failed, 3U);
-    EXPECT_EQ(listener.failures.size(), 3U);
+    EXPECT_EQ(outcome->failed, 4U);
+    EXPECT_EQ(listener.failures.size(), 4U);
     const auto failures = store.failures();
-    ASSERT_EQ(failures->size(), 3U);
+    ASSERT_EQ(failures->size(), 4U);
     EXPECT_EQ((*failures)[0].code, "off_truncated");
     EXPECT_EQ((*failures)[2].code, "mesh_empty");
+    EXPECT_EQ((*failures)[3].code, "points_too_few");
     for (const Failure& failure : *failures) {
         EXPECT_TRUE(is_content_hash(failure.content_hash));
         EXPECT_FALSE(failure.message.empty());
@@ -147,18 +149,18 @@ TEST_F(IndexerTest, RecordsFailuresWithTheirCodesAndGoesOn) {
     test::expect_sound(store);
 
     // The same bytes are not tried again unless that is asked for.
-    EXPECT_EQ(run(store).known_failures, 3U);
+    EXPECT_EQ(run(store).known_failures, 4U);
     IndexOptions retry = options();
     retry.retry_failed = true;
-    EXPECT_EQ(run(store, retry).failed, 3U);
+    EXPECT_EQ(run(store, retry).failed, 4U);
 
     // Mended, it is tried again.
     fs::copy_file(models_ / "01_tree.off", models_ / "00b_empty.off",
                   fs::copy_options::overwrite_existing);
     const IndexOutcome mended = run(store);
     EXPECT_EQ(mended.indexed, 1U);
-    EXPECT_EQ(mended.known_failures, 2U);
-    EXPECT_EQ(store.failures()->size(), 2U);
+    EXPECT_EQ(mended.known_failures, 3U);
+    EXPECT_EQ(store.failures()->size(), 3U);
 }
 
 TEST_F(IndexerTest, DescribesAgainWhatHasChangedUnderTheSameId) {

@@ -1,4 +1,4 @@
-// The corpora of STL, OBJ and PLY files; that of OFF files has tests of its own beside these.
+// The corpora of STL, OBJ, PLY and XYZ files; that of OFF files has tests of its own beside these.
 
 #include "tests/engine/mesh/model_corpus.h"
 
@@ -24,7 +24,7 @@ void PrintTo(const FormatCase& format_case, std::ostream* out) {
 
 std::vector<FormatCase> format_cases(const std::string& folder) {
     std::vector<FormatCase> cases;
-    for (const std::string format : {"stl", "obj", "ply"}) {
+    for (const std::string format : {"stl", "obj", "ply", "xyz"}) {
         for (ModelCase& model : model_cases(format, folder)) {
             cases.push_back({format, std::move(model)});
         }

@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <fstream>
 
+#include "engine/mesh/read_mesh.h"
 #include "tests/index/cli/run_program.h"
 #include "tests/index/sample_index.h"
 
@@ -153,6 +155,41 @@ TEST_F(CommandLineTest, SearchWithABadModelIsStatusOneWithItsCodeAndLine) {
     EXPECT_EQ(result.exit_status, 1);
     EXPECT_THAT(result.out, IsEmpty());
     EXPECT_THAT(result.err, AllOf(HasSubstr("off_index_out_of_range"), HasSubstr("line 6")));
+}
+
+/// The corners of a mesh's triangles and the middles of their sides, a line each.
+std::string points_of(const std::filesystem::path& model) {
+    const auto read = mesh::read_mesh(model);
+    std::string text;
+    for (std::size_t t = 0; t < read->mesh.triangles.size(); ++t) {
+        const auto corners = read->mesh.corners(t);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (const Vec3& at : {corners[i], Vec3((corners[i] + corners[(i + 1) % 3]) / 2)}) {
+                text += fmt::format("{} {} {}\n", at.x(), at.y(), at.z());
+            }
+        }
+    }
+    return text;
+}
+
+TEST_F(CommandLineTest, PointsFindTheModelThatTheyAreOf) {
+    write_file(models() / "zz_points.xyz", points_of(model_files()[2]));
+    const ProgramResult indexed = build_index();
+    ASSERT_EQ(indexed.exit_status, 0) << indexed.err;
+    EXPECT_EQ(indexed.json().at("indexed"), kModels + 1);
+    const nlohmann::json shown =
+        run({"show", "--index", index_file(), "zz_points", "--json"}).json();
+    EXPECT_THAT(shown.dump(), HasSubstr("points_wrapped"));
+    const nlohmann::json found =
+        run({"search", "--index", index_file(), models() / "zz_points.xyz", "--json"}).json();
+    EXPECT_EQ(found.at("hits")[0].at("name"), "zz_points");
+    EXPECT_EQ(found.at("hits")[1].at("name"), model_files()[2].stem().string());
+    const ProgramResult cut = run({"segment", models() / "zz_points.xyz", "--out", path("p.ply")});
+    EXPECT_EQ(cut.exit_status, 0) << cut.err;
+    write_file(path("few.xyz"), "0.5 0 0\n1 0 0\n0 1 0\n");
+    const ProgramResult few = run({"skeleton", path("few.xyz")});
+    EXPECT_EQ(few.exit_status, 1);
+    EXPECT_THAT(few.err, HasSubstr("points_too_few"));
 }
 
 TEST_F(CommandLineTest, SearchesForAPart) {
