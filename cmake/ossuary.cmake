@@ -7,7 +7,11 @@ set(OSSUARY_COMPILE_OPTIONS -Wall -Wextra -Wshadow -Wconversion
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-restrict)
 endif()
-if(OSSUARY_UNITY)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # What mutexes guard, see engine/core/mutex.h.
+    list(APPEND OSSUARY_COMPILE_OPTIONS -Wthread-safety)
+endif()
+if(OSSUARY_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Compiled together, a file's own types look as if they came from a header.
     list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-subobject-linkage)
 endif()
@@ -18,8 +22,10 @@ set(OSSUARY_LINK_OPTIONS "")
 if(OSSUARY_SANITIZE)
     list(APPEND OSSUARY_COMPILE_OPTIONS -fsanitize=${OSSUARY_SANITIZE} -fno-omit-frame-pointer
          -fno-sanitize-recover=undefined)
-    # Instrumented, g++ 12 loses track of what OpenMesh's containers and std::regex have set.
-    list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-maybe-uninitialized)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # Instrumented, g++ 12 loses track of what OpenMesh's containers and std::regex have set.
+        list(APPEND OSSUARY_COMPILE_OPTIONS -Wno-maybe-uninitialized)
+    endif()
     list(APPEND OSSUARY_LINK_OPTIONS -fsanitize=${OSSUARY_SANITIZE})
 endif()
 if(OSSUARY_ONE_DEFINITION)

@@ -16,20 +16,21 @@ ModelTimer::ModelTimer(double limit_seconds) : limit_(limit_seconds) {
 }
 
 void ModelTimer::run(const std::stop_token& stop) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     // The earliest not stopped yet; what was stopped stays listed until its worker leaves.
-    const auto pending = [this] {
+    const auto pending = [this]() OSSUARY_REQUIRES(mutex_) {
         return std::find_if(deadlines_.begin(), deadlines_.end(),
                             [](const auto& entry) { return !entry.second.stop_requested(); });
     };
     while (!stop.stop_requested()) {
         const auto next = pending();
         if (next == deadlines_.end()) {
-            changed_.wait(lock, stop, [&] { return pending() != deadlines_.end(); });
+            changed_.wait(lock, stop,
+                          [&]() OSSUARY_REQUIRES(mutex_) { return pending() != deadlines_.end(); });
             continue;
         }
         const Clock::time_point first = next->first;
-        changed_.wait_until(lock, stop, first, [&] {
+        changed_.wait_until(lock, stop, first, [&]() OSSUARY_REQUIRES(mutex_) {
             const auto now_next = pending();
             return now_next == deadlines_.end() || now_next->first != first;
         });
@@ -42,7 +43,7 @@ void ModelTimer::run(const std::stop_token& stop) {
 
 ModelTimer::Watch::Watch(ModelTimer& timer, std::stop_token outer)
     : timer_(timer), forward_(std::move(outer), Forward{source_}) {
-    const std::lock_guard lock(timer_.mutex_);
+    const Lock lock(timer_.mutex_);
     const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                              std::min(timer_.limit_, kLongest));
     entry_ = timer_.deadlines_.emplace(deadline, source_);
@@ -50,7 +51,7 @@ ModelTimer::Watch::Watch(ModelTimer& timer, std::stop_token outer)
 }
 
 ModelTimer::Watch::~Watch() {
-    const std::lock_guard lock(timer_.mutex_);
+    const Lock lock(timer_.mutex_);
     timer_.deadlines_.erase(entry_);
     timer_.changed_.notify_one();
 }

@@ -3,9 +3,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <map>
-#include <mutex>
 #include <stop_token>
 #include <thread>
+
+#include "engine/core/mutex.h"
 
 namespace ossuary::index {
 
@@ -42,9 +43,9 @@ private:
     void run(const std::stop_token& stop);
 
     std::chrono::duration<double> limit_;
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable_any changed_;
-    std::multimap<Clock::time_point, std::stop_source> deadlines_;
+    std::multimap<Clock::time_point, std::stop_source> deadlines_ OSSUARY_GUARDED_BY(mutex_);
     std::jthread thread_;  ///< last, so that it ends before what it uses
 };
 

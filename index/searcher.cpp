@@ -1,8 +1,8 @@
 #include "index/searcher.h"
 
 #include <algorithm>
-#include <mutex>
 
+#include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
 
 namespace ossuary::index {
@@ -120,8 +120,8 @@ struct Searcher::Impl {
     explicit Impl(Store opened) : store(std::move(opened)) {}
 
     Store store;
-    std::mutex mutex;  ///< of `current`
-    std::shared_ptr<const Snapshot> current;
+    Mutex mutex;
+    std::shared_ptr<const Snapshot> current OSSUARY_GUARDED_BY(mutex);
 };
 
 Searcher::Searcher(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -145,7 +145,7 @@ Result<Searcher> Searcher::open(const std::filesystem::path& path, Access access
 Store& Searcher::store() { return impl_->store; }
 
 Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
-    const std::lock_guard lock(impl_->mutex);
+    const Lock lock(impl_->mutex);
     if (impl_->current) {
         const auto state = impl_->store.collection_state();
         if (!state) return state.error();

@@ -72,7 +72,7 @@ Result<CollectionState> read_state(Store::Impl& impl) {
         impl.statement("SELECT revision, coalesce((SELECT revision FROM statistics WHERE id = 1), "
                        "-1) FROM state WHERE id = 1"));
     if (!query.step()) return {ErrorCode::kIndexCorrupt, impl.path.string() + ": no revision"};
-    return CollectionState{query.integer(0), query.integer(1), impl.file->replacements()};
+    return CollectionState{query.integer(0), query.integer(1), impl.replacements()};
 }
 
 Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -84,12 +84,12 @@ Store::Impl::Impl(const fs::path& index, Access how)
     : path(index), access(how), file(IndexFile::at(index)) {}
 
 Store::Impl::~Impl() {
-    const std::unique_lock alone(file->gate());
+    const ExclusiveLock alone(file->gate());
     file->close(connection);
 }
 
 Result<void> Store::Impl::open() {
-    const std::unique_lock alone(file->gate());
+    const ExclusiveLock alone(file->gate());
     file->let_go_of_replaced();
     if (connection) return {};
     const bool again = version > 0;
@@ -116,6 +116,7 @@ Result<void> Store::Impl::open() {
 
 Result<void> Store::Impl::commit(SQLite::Transaction& transaction) {
     transaction.commit();
+    file->is_in_use();
     if (file->stands()) return {};
     return was_replaced();
 }
@@ -131,7 +132,7 @@ Result<Store> Store::open(const fs::path& path, Access access) {
 Result<Store> Store::create_or_open(const fs::path& path, const IndexParameters& parameters) {
     {
         const auto file = IndexFile::at(path);
-        const std::unique_lock alone(file->gate());
+        const ExclusiveLock alone(file->gate());
         file->let_go_of_replaced();
         if (const auto made = make_index(path, parameters); !made) return made.error();
     }

@@ -19,7 +19,7 @@ Result<std::optional<StoredStatistics>> Store::statistics() {
 Result<void> Store::put_statistics(const ranking::CollectionStatistics& statistics,
                                    Revision revision, std::optional<std::uint64_t> replacements) {
     return impl_->locked([&]() -> Result<void> {
-        if (replacements.value_or(impl_->file->replacements()) != impl_->file->replacements()) {
+        if (replacements.value_or(impl_->replacements()) != impl_->replacements()) {
             return impl_->was_replaced();
         }
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
@@ -36,7 +36,7 @@ Result<void> Store::put_statistics(const ranking::CollectionStatistics& statisti
 
 Result<std::optional<StoredEvaluation>> Store::evaluation(const EvaluationKey& key) {
     return impl_->locked([&]() -> Result<std::optional<StoredEvaluation>> {
-        if (key.replacements != impl_->file->replacements()) {
+        if (key.replacements != impl_->replacements()) {
             return std::optional<StoredEvaluation>();
         }
         Query query(impl_->statement(
@@ -64,7 +64,7 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
             auto report = decode_report(query.blob(5));
             if (!report) return report.error();
             evaluations.push_back({{query.integer(0), *ranker, query.integer(2) != 0, query.real(3),
-                                    query.text(4), impl_->file->replacements()},
+                                    query.text(4), impl_->replacements()},
                                    *std::move(report),
                                    query.text(6)});
         }
@@ -75,7 +75,7 @@ Result<std::vector<StoredEvaluation>> Store::evaluations() {
 Result<void> Store::put_evaluation(const EvaluationKey& key,
                                    const ranking::RetrievalReport& report) {
     return impl_->locked([&]() -> Result<void> {
-        if (key.replacements != impl_->file->replacements()) return impl_->was_replaced();
+        if (key.replacements != impl_->replacements()) return impl_->was_replaced();
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         Query(impl_->statement("DELETE FROM evaluations WHERE revision < "
                                "(SELECT revision FROM state)"))

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
-#include <shared_mutex>
 #include <string>
 
+#include "engine/core/mutex.h"
 #include "index/store.h"
 #include "index/store_checksum.h"
 #include "index/store_connection.h"
@@ -28,17 +27,17 @@ struct Store::Impl {
     int busy_timeout_ms = kBusyTimeoutMs;
     const std::shared_ptr<IndexFile> file;
     std::unique_ptr<Connection> connection;  ///< guarded by the file's gate
-    std::mutex mutex;
+    Mutex mutex;
 
     /// Runs `body` alone, with the file open that stands at the path, and so that no exception
     /// leaves it.
     template <typename Body>
     std::invoke_result_t<Body> locked(Body&& body) {
-        const std::lock_guard lock(mutex);
+        const Lock lock(mutex);
         return guarded(path, [&]() -> std::invoke_result_t<Body> {
             for (;;) {
                 {
-                    const std::shared_lock in_use(file->gate());
+                    const SharedLock in_use(file->gate());
                     if (connection && file->stands()) return body();
                 }
                 if (const auto opened = open(); !opened) return opened.error();
@@ -48,6 +47,12 @@ struct Store::Impl {
     /// Commits, and makes sure that what was written is in the file that stands at the path:
     /// nothing is acknowledged that went into one which had just been replaced.
     Result<void> commit(SQLite::Transaction& transaction);
+
+    /// Of the file, within `locked`.
+    [[nodiscard]] std::uint64_t replacements() const {
+        file->is_in_use();
+        return file->replacements();
+    }
 
     SQLite::Statement& statement(const std::string& sql) { return connection->statement(sql); }
     SQLite::Database& database() { return connection->database(); }

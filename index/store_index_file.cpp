@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 
 namespace ossuary::index {
 
@@ -23,9 +22,9 @@ bool names(const fs::path& path, const FileId& file) {
 
 std::shared_ptr<IndexFile> IndexFile::at(const fs::path& path) {
     // The one thing that a process has only one of: its descriptors and their locks.
-    static std::mutex mutex;
-    static std::map<fs::path, std::weak_ptr<IndexFile>> files;
-    const std::lock_guard lock(mutex);
+    static Mutex mutex;
+    static std::map<fs::path, std::weak_ptr<IndexFile>> files OSSUARY_GUARDED_BY(mutex);
+    const Lock lock(mutex);
     std::erase_if(files, [](const auto& entry) { return entry.second.expired(); });
     std::weak_ptr<IndexFile>& known = files[fs::absolute(path).lexically_normal()];
     auto file = known.lock();

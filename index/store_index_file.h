@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <shared_mutex>
 #include <vector>
 
+#include "engine/core/mutex.h"
 #include "engine/core/result.h"
 #include "index/store_connection.h"
 #include "index/store_file.h"
@@ -25,26 +25,31 @@ public:
     explicit IndexFile(std::filesystem::path path) : path_(std::move(path)) {}
 
     /// Held shared while a connection is in use, alone for everything below but `stands`.
-    std::shared_mutex& gate() { return gate_; }
+    SharedMutex& gate() OSSUARY_RETURNS_MUTEX(gate_) { return gate_; }
+    /// For what is called by Store::Impl::locked, which holds the gate.
+    void is_in_use() const OSSUARY_ASSERTS_SHARED(gate_) {}
     /// Whether the path still names the file that is open.
-    [[nodiscard]] bool stands() const;
+    [[nodiscard]] bool stands() const OSSUARY_REQUIRES_SHARED(gate_);
     /// How many files have taken the place of another at this path since it was first opened.
-    [[nodiscard]] std::uint64_t replacements() const { return replacements_; }
+    [[nodiscard]] std::uint64_t replacements() const OSSUARY_REQUIRES_SHARED(gate_) {
+        return replacements_;
+    }
 
     /// Opens a connection to the file that stands there now, and remembers where it is kept. When
     /// the file was replaced, all connections to the earlier one are closed first.
-    Result<void> open(std::unique_ptr<Connection>& holder, Access access);
+    Result<void> open(std::unique_ptr<Connection>& holder, Access access) OSSUARY_REQUIRES(gate_);
     /// Closes a connection for good.
-    void close(std::unique_ptr<Connection>& holder);
+    void close(std::unique_ptr<Connection>& holder) OSSUARY_REQUIRES(gate_);
     /// Closes all connections if the file does not stand any more.
-    void let_go_of_replaced();
+    void let_go_of_replaced() OSSUARY_REQUIRES(gate_);
 
 private:
     const std::filesystem::path path_;
-    std::shared_mutex gate_;
-    std::optional<FileId> file_;  ///< none while nothing is open
-    std::uint64_t replacements_ = 0;
-    std::vector<std::unique_ptr<Connection>*> holders_;  ///< of the open connections
+    SharedMutex gate_;
+    std::optional<FileId> file_ OSSUARY_GUARDED_BY(gate_);  ///< none while nothing is open
+    std::uint64_t replacements_ OSSUARY_GUARDED_BY(gate_) = 0;
+    /// Of the open connections.
+    std::vector<std::unique_ptr<Connection>*> holders_ OSSUARY_GUARDED_BY(gate_);
 };
 
 }  // namespace ossuary::index

@@ -189,7 +189,7 @@ Result<std::vector<ModelSummary>> Store::models_named(std::string_view name) {
 Result<StoreContents> Store::contents(std::span<const KnownModel> known,
                                       std::uint64_t replacements) {
     return impl_->locked([&]() -> Result<StoreContents> {
-        if (replacements != impl_->file->replacements()) known = {};
+        if (replacements != impl_->replacements()) known = {};
         SQLite::Transaction transaction(impl_->database());
         StoreContents contents;
         const auto state = read_state(*impl_);

@@ -51,7 +51,7 @@ Evaluations::~Evaluations() = default;
 
 std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snapshot,
                                                      const ranking::RankOptions& options) {
-    std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     const auto found = results_.find(
         {snapshot.state().replacements, snapshot.revision(), options.ranker, options.rerank});
     if (found == results_.end()) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snap
     }
     const Key key{snapshot->state().replacements, snapshot->revision(), options.ranker,
                   options.rerank};
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     if (const auto known = results_.find(key); known != results_.end()) {
         return Answer(known->second);
     }
@@ -110,8 +110,9 @@ std::shared_ptr<Evaluations::Task> Evaluations::task_for(const Key& key, const S
 }
 
 void Evaluations::work(std::stop_token stop) {
-    std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [this] { return !tasks_.empty(); })) {
+    Lock lock(mutex_);
+    while (
+        changed_.wait(lock, stop, [this]() OSSUARY_REQUIRES(mutex_) { return !tasks_.empty(); })) {
         if (stop.stop_requested()) return;
         const std::shared_ptr<Task> task = tasks_.front();
         lock.unlock();

@@ -7,13 +7,13 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
 #include <tuple>
 
+#include "engine/core/mutex.h"
 #include "engine/core/result.h"
 #include "index/evaluation.h"
 #include "index/snapshot.h"
@@ -68,16 +68,17 @@ private:
     void work(std::stop_token stop);
     Result<Shared> compute(const Task& task, std::stop_token stop);
     std::shared_ptr<Task> task_for(const Key& key, const Snapshot& snapshot,
-                                   const ranking::RankOptions& options);
+                                   const ranking::RankOptions& options) OSSUARY_REQUIRES(mutex_);
 
     const Compute compute_;
     const Limits limits_;
     Log& log_;
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable_any changed_;
-    std::deque<std::shared_ptr<Task>> tasks_;  ///< the first is under way
-    std::map<Key, Shared> results_;            ///< of the latest revision
-    std::size_t waiting_ = 0;
+    /// The first is under way; what they wait for and the outcome are guarded as well.
+    std::deque<std::shared_ptr<Task>> tasks_ OSSUARY_GUARDED_BY(mutex_);
+    std::map<Key, Shared> results_ OSSUARY_GUARDED_BY(mutex_);  ///< of the latest revision
+    std::size_t waiting_ OSSUARY_GUARDED_BY(mutex_) = 0;
     std::jthread thread_;  ///< last, so that it ends first
 };
 

@@ -156,7 +156,7 @@ void HttpLoop::hand_to_worker(Entry& entry) {
         } catch (const std::exception&) {  // no memory even for saying so
         }
         {
-            std::lock_guard lock(mutex_);
+            const Lock lock(mutex_);
             returned_.emplace_back(&entry, wants);
         }
         eventfd_write(shared_.wake, 1);
@@ -170,7 +170,7 @@ void HttpLoop::hand_to_worker(Entry& entry) {
 void HttpLoop::take_back() {
     std::vector<std::pair<Entry*, Wants>> returned;
     {
-        std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         returned.swap(returned_);
     }
     for (const auto& [entry, wants] : returned) {

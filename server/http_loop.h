@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <list>
-#include <mutex>
 #include <utility>
 #include <vector>
 
+#include "engine/core/mutex.h"
 #include "engine/core/result.h"
 #include "server/http_session.h"
 #include "server/http_shared.h"
@@ -62,8 +62,8 @@ private:
     Clock::time_point next_look_;
     std::list<Entry> entries_;
     std::list<Entry> ended_;  ///< kept until no event of this round can name them
-    std::mutex mutex_;        ///< of `returned_`
-    std::vector<std::pair<Entry*, Wants>> returned_;
+    Mutex mutex_;
+    std::vector<std::pair<Entry*, Wants>> returned_ OSSUARY_GUARDED_BY(mutex_);
     HttpWorkers workers_;  ///< last, so that they end first
 };
 

@@ -17,7 +17,7 @@ HttpWorkers::HttpWorkers(int threads, std::size_t max_waiting)
 
 HttpWorkers::~HttpWorkers() {
     {
-        std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         ending_ = true;
     }
     added_.notify_all();
@@ -26,7 +26,7 @@ HttpWorkers::~HttpWorkers() {
 
 bool HttpWorkers::enqueue(Task task, bool urgent) {
     {
-        std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         auto& queue = urgent ? urgent_ : waiting_;
         if (queue.size() >= (urgent ? kMostUrgent : max_waiting_ + idle_)) return false;
         queue.push_back(std::move(task));
@@ -47,7 +47,7 @@ HttpWorkers::Task HttpWorkers::next(bool urgent_alone) {
 }
 
 void HttpWorkers::work(bool urgent_alone) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     while (true) {
         if (const Task task = next(urgent_alone)) {
             if (!urgent_alone) --idle_;

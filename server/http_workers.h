@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <thread>
 #include <vector>
+
+#include "engine/core/mutex.h"
 
 namespace ossuary::server {
 
@@ -28,16 +29,17 @@ public:
 
 private:
     void work(bool urgent_alone);
-    [[nodiscard]] Task next(bool urgent_alone);
+    [[nodiscard]] Task next(bool urgent_alone) OSSUARY_REQUIRES(mutex_);
 
     const std::size_t max_waiting_;
-    std::mutex mutex_;
-    std::condition_variable added_;         ///< for threads that take anything
-    std::condition_variable urgent_added_;  ///< for the one that takes urgent ones alone
-    std::deque<Task> urgent_;
-    std::deque<Task> waiting_;
-    std::size_t idle_;  ///< threads that take anything and have no task, started or not
-    bool ending_ = false;
+    Mutex mutex_;
+    std::condition_variable_any added_;         ///< for threads that take anything
+    std::condition_variable_any urgent_added_;  ///< for the one that takes urgent ones alone
+    std::deque<Task> urgent_ OSSUARY_GUARDED_BY(mutex_);
+    std::deque<Task> waiting_ OSSUARY_GUARDED_BY(mutex_);
+    /// Threads that take anything and have no task, started or not.
+    std::size_t idle_ OSSUARY_GUARDED_BY(mutex_);
+    bool ending_ OSSUARY_GUARDED_BY(mutex_) = false;
     std::vector<std::jthread> threads_;  ///< last, so that they end first
 };
 

@@ -11,7 +11,7 @@ IndexWatch::IndexWatch(index::Searcher& searcher, Log& log)
 
 void IndexWatch::work(std::stop_token stop) {
     using namespace std::chrono_literals;
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     while (!wake_.wait_for(lock, stop, 1s, [] { return false; }) && !stop.stop_requested()) {
         const auto looked = without_exceptions([this] { return look(); });
         if (looked) {

@@ -2,11 +2,11 @@
 
 #include <condition_variable>
 #include <cstdint>
-#include <mutex>
 #include <stop_token>
 #include <string>
 #include <thread>
 
+#include "engine/core/mutex.h"
 #include "index/searcher.h"
 #include "server/log.h"
 
@@ -27,7 +27,7 @@ private:
     Log& log_;
     std::uint64_t replacements_ = 0;
     std::string last_error_;
-    std::mutex mutex_;
+    Mutex mutex_;  ///< for waiting alone: the rest belongs to the thread
     std::condition_variable_any wake_;
     std::jthread thread_;  ///< last, so that it ends first
 };

@@ -79,7 +79,7 @@ Result<std::optional<index::UploadId>> Jobs::add(const index::UploadedModel& upl
     if (!added || !*added) return added;
     report_queue();
     {
-        const std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         look_ = true;
     }
     added_.notify_all();
@@ -110,8 +110,10 @@ void Jobs::work(std::stop_token stop) {
         pause = turn == Turn::kNothingWaits
                     ? kInterval
                     : std::min<std::chrono::seconds>(2 * pause, kLongestInterval);
-        std::unique_lock lock(mutex_);
-        added_.wait_for(lock, stop, pause, [&] { return look_ && turn == Turn::kNothingWaits; });
+        Lock lock(mutex_);
+        added_.wait_for(lock, stop, pause, [&]() OSSUARY_REQUIRES(mutex_) {
+            return look_ && turn == Turn::kNothingWaits;
+        });
         look_ = false;
     }
 }

@@ -4,13 +4,13 @@
 #include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
 
+#include "engine/core/mutex.h"
 #include "engine/core/result.h"
 #include "index/indexer.h"
 #include "index/model_timer.h"
@@ -73,10 +73,10 @@ private:
     index::ModelTimer timer_;
     std::string last_trouble_;          ///< of the thread
     std::atomic<bool> folded_ = false;  ///< whether the log was folded in since the last change
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable_any added_;
-    bool look_ = false;    ///< something was added; guarded by the mutex
-    std::jthread thread_;  ///< last, so that it ends first
+    bool look_ OSSUARY_GUARDED_BY(mutex_) = false;  ///< something was added
+    std::jthread thread_;                           ///< last, so that it ends first
 };
 
 }  // namespace ossuary::server

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "index/report_text.h"
+
 namespace ossuary::server {
 namespace {
 
@@ -17,12 +19,6 @@ std::optional<T> parse_number(std::string_view text) {
     const auto [stop, fault] = std::from_chars(text.data(), end, value);
     if (text.empty() || stop != end || fault != std::errc()) return std::nullopt;
     return value;
-}
-
-std::string shortest(double value) {
-    char text[32];
-    const auto [end, fault] = std::to_chars(text, text + sizeof text, value);
-    return {text, end};
 }
 
 }  // namespace
@@ -79,8 +75,8 @@ std::optional<double> ParameterReader::number(std::string_view name, double leas
     if (value == nullptr) return std::nullopt;
     const auto number = parse_number<double>(*value);
     if (!number || !std::isfinite(*number) || *number < least || *number > most) {
-        refuse(name, "`" + std::string(name) + "` must be a number from " + shortest(least) +
-                         " to " + shortest(most) + ".");
+        refuse(name, "`" + std::string(name) + "` must be a number from " + index::shortest(least) +
+                         " to " + index::shortest(most) + ".");
         return std::nullopt;
     }
     return number;

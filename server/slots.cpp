@@ -3,11 +3,12 @@
 namespace ossuary::server {
 
 Slots::Outcome Slots::acquire(std::stop_token stop) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     if (free_ == 0) {
         if (waiting_ >= max_waiting_) return {std::nullopt, Refusal::kFull};
         ++waiting_;
-        const bool got = freed_.wait(lock, stop, [this] { return free_ > 0; });
+        const bool got =
+            freed_.wait(lock, stop, [this]() OSSUARY_REQUIRES(mutex_) { return free_ > 0; });
         --waiting_;
         if (!got) return {std::nullopt, Refusal::kStopped};
     }
@@ -18,18 +19,18 @@ Slots::Outcome Slots::acquire(std::stop_token stop) {
 }
 
 bool Slots::full() const {
-    std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     return free_ == 0 && waiting_ >= max_waiting_;
 }
 
 std::size_t Slots::waiting() const {
-    std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     return waiting_;
 }
 
 void Slots::give_back() {
     {
-        std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         ++free_;
     }
     freed_.notify_one();

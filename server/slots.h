@@ -3,10 +3,11 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <utility>
+
+#include "engine/core/mutex.h"
 
 namespace ossuary::server {
 
@@ -44,11 +45,11 @@ public:
 private:
     void give_back();
 
-    mutable std::mutex mutex_;
+    mutable Mutex mutex_;
     std::condition_variable_any freed_;
-    std::size_t free_;
+    std::size_t free_ OSSUARY_GUARDED_BY(mutex_);
     const std::size_t max_waiting_;
-    std::size_t waiting_ = 0;
+    std::size_t waiting_ OSSUARY_GUARDED_BY(mutex_) = 0;
 };
 
 }  // namespace ossuary::server

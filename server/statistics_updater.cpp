@@ -41,7 +41,7 @@ StatisticsUpdater::~StatisticsUpdater() = default;
 
 void StatisticsUpdater::request(When when) {
     {
-        std::lock_guard lock(mutex_);
+        const Lock lock(mutex_);
         if (wanted_ != When::kOutdated) wanted_ = when;
     }
     requested_.notify_all();
@@ -49,8 +49,9 @@ void StatisticsUpdater::request(When when) {
 
 void StatisticsUpdater::work(const std::stop_token& stop) {
     step_behind();
-    std::unique_lock lock(mutex_);
-    while (requested_.wait(lock, stop, [this] { return wanted_.has_value(); })) {
+    Lock lock(mutex_);
+    const auto wanted = [this]() OSSUARY_REQUIRES(mutex_) { return wanted_.has_value(); };
+    while (requested_.wait(lock, stop, wanted)) {
         const When when = *std::exchange(wanted_, std::nullopt);
         lock.unlock();
         const Stopwatch watch;

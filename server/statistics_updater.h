@@ -1,11 +1,11 @@
 #pragma once
 
 #include <condition_variable>
-#include <mutex>
 #include <optional>
 #include <stop_token>
 #include <thread>
 
+#include "engine/core/mutex.h"
 #include "index/searcher.h"
 #include "index/store.h"
 #include "server/log.h"
@@ -38,9 +38,9 @@ private:
     index::Store store_;
     index::Searcher& searcher_;
     Log& log_;
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable_any requested_;
-    std::optional<When> wanted_;
+    std::optional<When> wanted_ OSSUARY_GUARDED_BY(mutex_);
     std::jthread thread_;  ///< last, so that it ends first
 };
 

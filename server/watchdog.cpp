@@ -19,7 +19,7 @@ Watchdog::Watchdog() : thread_([this](std::stop_token stop) { look(stop); }) {}
 Watchdog::~Watchdog() = default;
 
 Watchdog::Watch::Watch(Watchdog& owner, Clock::time_point deadline, int socket) : owner_(owner) {
-    std::lock_guard lock(owner_.mutex_);
+    const Lock lock(owner_.mutex_);
     owner_.entries_.push_front({std::stop_source(), deadline, socket});
     entry_ = owner_.entries_.begin();
     if (owner_.stop_all_) entry_->stop.request_stop();
@@ -27,21 +27,22 @@ Watchdog::Watch::Watch(Watchdog& owner, Clock::time_point deadline, int socket) 
 }
 
 Watchdog::Watch::~Watch() {
-    std::lock_guard lock(owner_.mutex_);
+    const Lock lock(owner_.mutex_);
     owner_.entries_.erase(entry_);
 }
 
 void Watchdog::stop_all() {
-    std::lock_guard lock(mutex_);
+    const Lock lock(mutex_);
     stop_all_ = true;
     for (Entry& entry : entries_) entry.stop.request_stop();
 }
 
 void Watchdog::look(std::stop_token stop) {
-    std::unique_lock lock(mutex_);
+    Lock lock(mutex_);
     while (!stop.stop_requested()) {
         // Sleeps for good while nothing is going on, and in short steps otherwise.
-        if (!changed_.wait(lock, stop, [this] { return !entries_.empty(); })) return;
+        const auto any = [this]() OSSUARY_REQUIRES(mutex_) { return !entries_.empty(); };
+        if (!changed_.wait(lock, stop, any)) return;
         const auto now = Clock::now();
         for (Entry& entry : entries_) {
             if (entry.stop.stop_requested()) continue;

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <condition_variable>
 #include <list>
-#include <mutex>
 #include <stop_token>
 #include <thread>
 
+#include "engine/core/mutex.h"
 #include "server/connection.h"
 
 namespace ossuary::server {
@@ -46,10 +46,10 @@ public:
 private:
     void look(std::stop_token stop);
 
-    std::mutex mutex_;
+    Mutex mutex_;
     std::condition_variable_any changed_;
-    std::list<Entry> entries_;
-    bool stop_all_ = false;
+    std::list<Entry> entries_ OSSUARY_GUARDED_BY(mutex_);
+    bool stop_all_ OSSUARY_GUARDED_BY(mutex_) = false;
     std::jthread thread_;  ///< last, so that it ends first
 };
 

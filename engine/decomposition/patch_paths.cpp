@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <queue>
+#include <span>
 #include <tuple>
+
+#include "engine/core/shortest_ways.h"
 
 namespace ossuary::decomposition {
 namespace {
@@ -33,23 +35,15 @@ PatchTable least_sums(const PatchGraph& graph, const LinkCost& cost) {
         first.push_back(static_cast<std::uint32_t>(steps.size()));
     }
     PatchTable sums(count, kUnreached);
-    using Entry = std::pair<float, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    ShortestWays<float> ways;
     for (std::uint32_t source = 0; source < count; ++source) {
-        float* const row = sums.row(source);
+        const std::span<float> row(sums.row(source), count);
         row[source] = 0.0F;
-        queue.push({0.0F, source});
-        while (!queue.empty()) {
-            const auto [sum, p] = queue.top();
-            queue.pop();
-            if (sum > row[p]) continue;
+        ways.search(row, std::span(&source, 1), [&](std::uint32_t p, const auto& reach) {
             for (std::uint32_t s = first[p]; s < first[p + 1]; ++s) {
-                const float there = sum + steps[s].cost;
-                if (there >= row[steps[s].to]) continue;
-                row[steps[s].to] = there;
-                queue.push({there, steps[s].to});
+                reach(steps[s].to, row[p] + steps[s].cost);
             }
-        }
+        });
     }
     return sums;
 }

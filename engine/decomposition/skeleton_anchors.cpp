@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
-#include <utility>
+#include <span>
+
+#include "engine/core/shortest_ways.h"
 
 namespace ossuary::decomposition {
 namespace {
@@ -90,22 +91,15 @@ SkeletonWays ways_from(const SkeletonSamples& samples, std::uint32_t source) {
     ways.length[source] = 0.0F;
     ways.least_radius[source] = ways.largest_radius[source] = radius(source);
     ways.junctions[source] = half(source);
-    using Entry = std::pair<float, std::uint32_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    queue.push({0.0F, source});
-    while (!queue.empty()) {
-        const auto [length, s] = queue.top();
-        queue.pop();
-        if (length > ways.length[s]) continue;
+    const auto links = [&](std::uint32_t s, const auto& reach) {
         for (const SkeletonSamples::Link& link : samples.links[s]) {
-            if (length + link.length >= ways.length[link.to]) continue;
-            ways.length[link.to] = length + link.length;
+            if (!reach(link.to, ways.length[s] + link.length)) continue;
             ways.least_radius[link.to] = std::min(ways.least_radius[s], radius(link.to));
             ways.largest_radius[link.to] = std::max(ways.largest_radius[s], radius(link.to));
             ways.junctions[link.to] = ways.junctions[s] + half(s) + half(link.to);
-            queue.push({ways.length[link.to], link.to});
         }
-    }
+    };
+    ShortestWays<float>().search(ways.length, std::span(&source, 1), links);
     return ways;
 }
 

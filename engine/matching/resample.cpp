@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 namespace ossuary::matching {
 
@@ -45,7 +46,7 @@ ResampledCurve resample_evenly(std::span<const float> coordinates, std::span<con
         const Vec3f q(&coordinates[3 * index + 3]);
         curve.points.emplace_back(p + share * (q - p));
         curve.radii.push_back(radii[index] + share * (radii[index + 1] - radii[index]));
-        if (k > 0) curve.length += (curve.points[k] - curve.points[k - 1]).norm();
+        if (k > 0) curve.length += (curve.points.back() - *std::prev(curve.points.end(), 2)).norm();
     }
     return curve;
 }

@@ -1,8 +1,9 @@
 #include "engine/matching/skeleton_paths.h"
 
-#include <queue>
-#include <tuple>
+#include <limits>
+#include <utility>
 
+#include "engine/core/shortest_ways.h"
 #include "engine/matching/skeleton_descriptor.h"
 
 namespace ossuary::matching {
@@ -20,26 +21,27 @@ SkeletonAdjacency skeleton_adjacency(const SkeletonDescriptor& descriptor) {
 
 SkeletonPaths shortest_paths(const SkeletonDescriptor& descriptor,
                              const SkeletonAdjacency& adjacency, std::uint32_t source) {
-    using Entry = std::tuple<double, std::uint32_t, std::uint32_t>;  // distance, branch, node
-    SkeletonPaths paths;
-    paths.distance.assign(descriptor.nodes.size(), std::numeric_limits<double>::infinity());
-    paths.parent_branch.assign(descriptor.nodes.size(), kNoIndex);
+    // Of equally long ways the one through the branch that comes first.
+    using Key = std::pair<double, std::uint32_t>;  // distance, branch
+    constexpr double kUnreached = std::numeric_limits<double>::infinity();
+    std::vector<Key> least(descriptor.nodes.size(), {kUnreached, kNoIndex});
+    least[source].first = 0.0;
     std::vector<bool> settled(descriptor.nodes.size(), false);
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-    queue.emplace(0.0, kNoIndex, source);
-    while (!queue.empty()) {
-        const auto [distance, branch, node] = queue.top();
-        queue.pop();
-        if (settled[node]) continue;
-        settled[node] = true;
-        paths.distance[node] = distance;
-        paths.parent_branch[node] = branch;
-        paths.order.push_back(node);
+    const auto links = [&](std::uint32_t node, const auto& reach) {
         for (const SkeletonAdjacency::End& end : adjacency.ends[node]) {
-            if (settled[end.node]) continue;
+            if (settled[end.node]) continue;  // a branch without length leads back
             const double length = descriptor.branches[end.branch].length;
-            queue.emplace(distance + length, end.branch, end.node);
+            reach(end.node, Key{least[node].first + length, end.branch});
         }
+    };
+    SkeletonPaths paths;
+    ShortestWays<Key>().search(least, std::span(&source, 1), links, [&](std::uint32_t node) {
+        settled[node] = true;
+        paths.order.push_back(node);
+    });
+    for (const auto& [distance, branch] : least) {
+        paths.distance.push_back(distance);
+        paths.parent_branch.push_back(branch);
     }
     return paths;
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <queue>
 
+#include "engine/core/shortest_ways.h"
 #include "engine/mesh/edge_table.h"
 
 namespace ossuary::mesh {
@@ -72,29 +72,16 @@ GeodesicGraph::GeodesicGraph(const TriangleMesh& mesh, const GeodesicOptions& op
 }
 
 std::vector<double> GeodesicGraph::distances_from(std::span<const std::uint32_t> sources) const {
-    struct Reached {
-        double distance;
-        std::uint32_t vertex;
-        bool operator>(const Reached& other) const { return distance > other.distance; }
-    };
     std::vector<double> distance(vertex_count(), std::numeric_limits<double>::infinity());
-    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
     for (const std::uint32_t source : sources) {
         assert(source < vertex_count());
         distance[source] = 0.0;
-        queue.push({0.0, source});
     }
-    while (!queue.empty()) {
-        const Reached here = queue.top();
-        queue.pop();
-        if (here.distance > distance[here.vertex]) continue;
-        for (std::uint32_t i = first_[here.vertex]; i < first_[here.vertex + 1]; ++i) {
-            const double through = here.distance + links_[i].length;
-            if (through >= distance[links_[i].to]) continue;
-            distance[links_[i].to] = through;
-            queue.push({through, links_[i].to});
+    ShortestWays<double>().search(distance, sources, [&](std::uint32_t from, const auto& reach) {
+        for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i) {
+            reach(links_[i].to, distance[from] + links_[i].length);
         }
-    }
+    });
     return distance;
 }
 

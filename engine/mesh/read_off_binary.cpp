@@ -21,15 +21,15 @@ struct OffBinaryLayout {
 std::vector<OffBinaryLayout> possible_layouts(const OffHeader& header) {
     const std::size_t values = 3 + (header.has_w ? 1 : 0) + (header.has_normals ? 3 : 0) +
                                (header.has_texture_coordinates ? 2 : 0);
-    constexpr std::size_t kNone = 0;
+    constexpr std::size_t kNone = 0, kRgb = 3, kRgba = 4;
     std::vector<std::size_t> colors = {kNone};
-    if (header.has_colors) colors = {4, 3, kNone};
+    if (header.has_colors) colors = {kRgba, kRgb, kNone};
     std::vector<OffBinaryLayout> layouts;
     for (const std::size_t color : colors) {
         layouts.push_back({std::endian::big, values + color, true, 0});
     }
     for (const std::size_t color : colors) {
-        for (const std::size_t face_color : {0, 3, 4}) {
+        for (const std::size_t face_color : {kNone, kRgb, kRgba}) {
             layouts.push_back({std::endian::little, values + color, false, face_color});
         }
     }

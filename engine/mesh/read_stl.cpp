@@ -101,7 +101,7 @@ class StlTextReader {
 public:
     StlTextReader(std::string_view text, const ReadMeshOptions& options,
                   const std::stop_token& stop)
-        : scanner_(text), options_(options), builder_(kStlCodes, options, stop) {}
+        : scanner_(text), builder_(kStlCodes, options, stop) {}
 
     Result<ReadMeshResult> read();
 
@@ -123,7 +123,6 @@ private:
     Result<void> read_vertices();
 
     TextScanner scanner_;
-    const ReadMeshOptions& options_;
     MeshBuilder builder_;
     VertexTable table_;
     std::vector<std::uint32_t> corners_;

@@ -12,14 +12,16 @@ namespace ossuary::ranking {
 /// share a meter; `body` must write only what belongs to i. No more calls once asked to stop.
 template <typename Body>
 void for_each_with_meter(std::size_t count, const RankOptions& options, const Body& body) {
-    constexpr std::size_t kBlock = 32;
-    parallel_for((count + kBlock - 1) / kBlock, options.jobs, [&](std::size_t block) {
-        PairMeter meter(options);
-        const std::size_t end = std::min(count, (block + 1) * kBlock);
-        for (std::size_t i = block * kBlock; i < end && !options.stop.stop_requested(); ++i) {
-            body(meter, i);
-        }
-    });
+    constexpr std::size_t kModelsPerMeter = 32;
+    parallel_for((count + kModelsPerMeter - 1) / kModelsPerMeter, options.jobs,
+                 [&](std::size_t block) {
+                     PairMeter meter(options);
+                     const std::size_t end = std::min(count, (block + 1) * kModelsPerMeter);
+                     for (std::size_t i = block * kModelsPerMeter;
+                          i < end && !options.stop.stop_requested(); ++i) {
+                         body(meter, i);
+                     }
+                 });
 }
 
 }  // namespace ossuary::ranking

@@ -1,6 +1,6 @@
 #include "engine/skeleton/skeleton_graph.h"
 
-#include <numeric>
+#include "engine/mesh/disjoint_sets.h"
 
 namespace ossuary::skeleton {
 
@@ -33,18 +33,11 @@ void update_degrees(SkeletonGraph& graph) {
 }
 
 GraphTopology topology(const SkeletonGraph& graph) {
-    std::vector<std::uint32_t> parent(graph.nodes.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t node) {
-        while (parent[node] != node) node = parent[node] = parent[parent[node]];
-        return node;
-    };
+    mesh::DisjointSets sets(graph.nodes.size());
     int components = static_cast<int>(graph.nodes.size());
     for (const SkeletonGraph::Branch& branch : graph.branches) {
-        const std::uint32_t a = root(branch.a);
-        const std::uint32_t b = root(branch.b);
-        if (a == b) continue;
-        parent[a] = b;
+        if (sets.find(branch.a) == sets.find(branch.b)) continue;
+        sets.unite(branch.a, branch.b);
         --components;
     }
     const int cycles =
