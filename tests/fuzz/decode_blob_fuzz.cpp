@@ -1,5 +1,5 @@
-// Feeds arbitrary payloads to the decoders of an index's blobs. The first byte chooses the kind, the
-// second the version; the checksum is made right, since bytes that changed by chance end there.
+// Feeds arbitrary payloads to the decoders of an index's blobs. The first byte chooses the kind,
+// the second the version; the checksum is made right, since bytes that changed by chance end there.
 
 #include <algorithm>
 #include <array>

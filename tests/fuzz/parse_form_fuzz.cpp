@@ -1,4 +1,5 @@
-// Feeds arbitrary bytes to the parser of forms: the first line is the content type, the rest the body.
+// Feeds arbitrary bytes to the parser of forms: the first line is the content type, the rest the
+// body.
 
 #include <algorithm>
 #include <cstddef>
