@@ -22,9 +22,18 @@ Error describing_cancelled(std::string_view name) {
     return {ErrorCode::kCancelled, std::string(name) + ": describing it was cancelled"};
 }
 
+/// As the file says, else as the shape suggests.
+Up up_of(const mesh::ReadMeshResult& read, const mesh::TriangleMesh& coarse) {
+    if (read.up == mesh::UpAxis::kY) return Up::kY;
+    if (read.up == mesh::UpAxis::kZ) return Up::kZ;
+    return find_up(coarse);
+}
+
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
                                   std::stop_token stop) {
-    auto read = voxel::read_model(source.bytes, source.name, {}, stop);
+    auto read = source.reader == nullptr
+                    ? voxel::read_model(source.bytes, source.name, {}, stop)
+                    : source.reader->read({source.bytes, source.name, source.folder}, {}, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);
@@ -48,7 +57,8 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
         mesh::decimate(body, {.max_triangles = kPreviewTriangles}, stop);
     model.preview = make_preview(coarse);
     if (stop.stop_requested()) return describing_cancelled(source.name);
-    model.summary.orientation = {source.up ? *source.up : find_up(coarse), source.up.has_value()};
+    model.summary.orientation = {source.up ? *source.up : up_of(*read, coarse),
+                                 source.up.has_value()};
     auto thumbnail = render_thumbnail(body, thumbnail_options(model.summary.orientation.up), stop);
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <stop_token>
 #include <string_view>
 
 #include "engine/core/result.h"
 #include "index/model.h"
+#include "index/model_reader.h"
 
 namespace ossuary::index {
 
@@ -13,13 +15,16 @@ namespace ossuary::index {
 struct ModelSource {
     std::string_view bytes;
     std::string_view name;      ///< stands for the file in messages
-    std::optional<Up> up = {};  ///< as a person has said; none = to be found (find_up)
+    std::optional<Up> up = {};  ///< as a person has said; none = the file's, or found
+    /// Reads it; null = formats that are read within the program alone.
+    ModelReader* reader = nullptr;
+    std::filesystem::path folder = {};  ///< of files that it refers to; empty = there are none
 };
 
 /// From a model file to all that an index keeps of it. The summary's path, name and class are left
 /// to the caller. What only viewers ask for may be missing, with a warning: the thumbnail, and the
 /// parts (see add_segments).
-/// Errors: those of read_mesh and describe, out_of_memory, internal; never an exception.
+/// Errors: those of ModelReader and describe, out_of_memory, internal; never an exception.
 Result<NewModel> describe_model(const ModelSource& source, const IndexParameters& parameters,
                                 std::stop_token stop = {});
 

@@ -153,7 +153,8 @@ FileOutcome IndexRun::describe_file(const fs::path& path, const std::string& byt
     outcome.content_hash = content_hash(bytes);
     const ModelTimer::Watch watch(timer_, stop_);
     const std::string name = path.string();
-    auto model = describe_model({bytes, name, up}, store_.parameters(), watch.token());
+    auto model = describe_model({bytes, name, up, options_.reader, path.parent_path()},
+                                store_.parameters(), watch.token());
     // An interrupted run leaves no model behind that is short of its parts.
     if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
@@ -391,8 +392,9 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
 }
 
 Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
-                                 std::stop_token stop) {
-    auto model = describe_model({upload.bytes, upload.name}, parameters, std::move(stop));
+                                 std::stop_token stop, ModelReader* reader) {
+    auto model =
+        describe_model({upload.bytes, upload.name, {}, reader}, parameters, std::move(stop));
     if (!model) return model;
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;

@@ -13,6 +13,7 @@
 #include "engine/ranking/classification.h"
 #include "index/model.h"
 #include "index/model_files.h"
+#include "index/model_reader.h"
 #include "index/prune.h"
 #include "index/snapshot.h"
 #include "index/store.h"
@@ -39,6 +40,8 @@ struct IndexOptions {
     /// The axis that points up in all models under `paths`, also in those already indexed; none =
     /// found for each new one, and others stay as they are.
     std::optional<Up> up;
+    /// Reads the files; null = formats that are read within the program alone.
+    ModelReader* reader = nullptr;
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     /// A model that takes longer is recorded as `cancelled` (seen between the stages of its
     /// description), or indexed without parts if only those were missing; 0 = for ever.
@@ -97,10 +100,11 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
                                   std::stop_token stop = {});
 
 /// All that an index keeps of an uploaded model, for PutUpload.
+/// @param reader  reads it; null = formats that are read within the program alone
 /// Errors: those of describe_model; cancelled when `stop` was requested before its skeleton was
 /// there, later the model comes without parts.
 Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
-                                 std::stop_token stop = {});
+                                 std::stop_token stop = {}, ModelReader* reader = nullptr);
 
 /// Recomputes the collection's statistics if they are not those of the current revision.
 /// Errors: cancelled, those of the store.

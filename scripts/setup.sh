@@ -16,9 +16,10 @@ fi
 
 build_packages=(
     build-essential ca-certificates ccache cmake git ninja-build pkg-config
-    libbenchmark-dev libcli11-dev libcpp-httplib-dev libeigen3-dev libembree-dev libexpected-dev
+    lib3mf-dev libassimp-dev libbenchmark-dev libcli11-dev libcpp-httplib-dev libdraco-dev libeigen3-dev libembree-dev libexpected-dev
     libgmock-dev libgtest-dev libmeshoptimizer-dev libnanoflann-dev libopenmesh-dev libpng-dev libspdlog-dev
-    libsqlite3-dev libsqlitecpp-dev libtbb-dev libvalijson-dev libxxhash-dev libyaml-cpp-dev nlohmann-json3-dev prometheus-cpp-dev
+    libseccomp-dev libsqlite3-dev libsqlitecpp-dev libtbb-dev libtinygltf-dev libvalijson-dev libxxhash-dev
+    libyaml-cpp-dev libzip-dev nlohmann-json3-dev prometheus-cpp-dev
 )
 check_packages=(chromium clang-format-14 clang-tidy-14 curl python3 zstd)
 

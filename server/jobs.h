@@ -39,7 +39,7 @@ public:
 
     /// @param changed  called after each change, with true where a model was removed
     Jobs(index::Store store, const Limits& limits, Log& log, Metrics& metrics,
-         std::function<void(bool removed)> changed, Describe describe = index::describe_upload);
+         std::function<void(bool removed)> changed, Describe describe);
     /// Leaves what waits, and what is under way, to the next server.
     ~Jobs();
 

@@ -29,8 +29,8 @@ struct Server::Parts {
           slots(static_cast<std::size_t>(resolve_jobs(static_cast<int>(options.searches))),
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
-          service{options, log,           metrics, searcher, slots,        evaluations,
-                  files,   std::string(), nullptr, nullptr,  random_word()},
+          service{options,     log,   metrics,       searcher, reader,  slots,
+                  evaluations, files, std::string(), nullptr,  nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -39,6 +39,7 @@ struct Server::Parts {
     Log log;
     Metrics metrics;
     index::Searcher searcher;
+    index::ModelReader reader;
     const StaticFiles files;
     Slots slots;
     Evaluations evaluations;
@@ -92,8 +93,13 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
         const auto changed = [&statistics](bool removed) {
             statistics.request(removed ? When::kOutdated : When::kMissing);
         };
-        parts->service.jobs =
-            std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics, changed);
+        const auto describe = [reader = &parts->reader](const index::UploadedModel& upload,
+                                                        const index::IndexParameters& parameters,
+                                                        std::stop_token stop) {
+            return index::describe_upload(upload, parameters, std::move(stop), reader);
+        };
+        parts->service.jobs = std::make_unique<Jobs>(*std::move(store), limits, log, parts->metrics,
+                                                     changed, describe);
     }
     auto port = parts->http.bind(options.host, options.port);
     if (!port) return port.error();

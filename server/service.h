@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "index/model_reader.h"
 #include "index/searcher.h"
 #include "server/evaluations.h"
 #include "server/jobs.h"
@@ -22,6 +23,7 @@ struct Service {
     Log& log;
     Metrics& metrics;
     index::Searcher& searcher;
+    index::ModelReader& reader;
     Slots& slots;  ///< for whatever keeps a processor busy
     Evaluations& evaluations;
     const StaticFiles& files;

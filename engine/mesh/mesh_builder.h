@@ -34,6 +34,9 @@ public:
 
     [[nodiscard]] const std::vector<Vec3>& vertices() const { return mesh_.vertices; }
     [[nodiscard]] std::uint32_t face_count() const { return mesh_.face_count; }
+    [[nodiscard]] std::uint32_t triangle_count() const {
+        return static_cast<std::uint32_t>(mesh_.triangles.size());
+    }
     [[nodiscard]] bool cancelled() const { return stop_.stop_requested(); }
 
     void reserve(std::size_t vertices, std::size_t faces);

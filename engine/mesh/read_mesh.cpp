@@ -91,22 +91,27 @@ Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
     if (reader == nullptr) return not_read(bytes, name);
     Result<ReadMeshResult> result = reader(bytes, name, options, stop);
     if (!result) return result;
-    if (Result<void> checked = check_extent(result->mesh, name, options); !checked) {
+    return finish_reading(*std::move(result), name, options, stop);
+}
+
+Result<ReadMeshResult> finish_reading(ReadMeshResult read, std::string_view name,
+                                      const ReadMeshOptions& options, const std::stop_token& stop) {
+    if (Result<void> checked = check_extent(read.mesh, name, options); !checked) {
         return checked.error();
     }
     if (stop.stop_requested()) {
         return {ErrorCode::kCancelled, std::string(name) + ": reading was cancelled"};
     }
-    for (MeshWarning& warning : surface_warnings(result->mesh)) {
-        result->warnings.push_back(std::move(warning));
+    for (MeshWarning& warning : surface_warnings(read.mesh)) {
+        read.warnings.push_back(std::move(warning));
     }
-    return result;
+    return read;
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 12> kExtensions = {".off",   ".coff",  ".noff", ".cnoff",
-                                                              ".ncoff", ".stoff", ".stl",  ".obj",
-                                                              ".ply",   ".xyz",   ".pts",  ".asc"};
+    constexpr std::array<std::string_view, 19> kExtensions = {
+        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff", ".stl", ".obj", ".ply", ".xyz",
+        ".pts", ".asc",  ".3mf",  ".gltf",  ".glb",   ".dae",   ".x3d", ".amf", ".fbx"};
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

@@ -3,7 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,9 +27,25 @@ struct ReadMeshOptions {
     double min_extent = 1e-30;  ///< of the longest side of the box around the faces with area
 };
 
+/// The axis that points up where a format says or means one.
+enum class UpAxis { kX, kY, kZ };
+
+/// A named piece of a model file, placed as in the file: a run of the mesh's vertices, and the run
+/// of triangles between them.
+struct ModelObject {
+    std::string name;  ///< empty where the file has none
+    std::uint32_t first_vertex = 0;
+    std::uint32_t vertices = 0;
+    std::uint32_t first_triangle = 0;
+    std::uint32_t triangles = 0;
+};
+
 struct ReadMeshResult {
     TriangleMesh mesh;
     std::vector<MeshWarning> warnings;
+    double metres_per_unit = 0.0;  ///< 0 where neither file nor format says it
+    std::optional<UpAxis> up = std::nullopt;
+    std::vector<ModelObject> objects = {};  ///< of formats that have them
 };
 
 /// Reads a model file; the format follows its contents, not its name: OFF and relatives, STL, OBJ,
@@ -45,6 +63,12 @@ Result<ReadMeshResult> read_mesh(const std::filesystem::path& path,
 Result<ReadMeshResult> read_mesh(std::string_view bytes, std::string_view name,
                                  const ReadMeshOptions& options = {},
                                  const std::stop_token& stop = {});
+
+/// What stands at the end of reading any format: looks at the extent and adds warnings of the
+/// surface. Errors: mesh_scale, cancelled.
+Result<ReadMeshResult> finish_reading(ReadMeshResult read, std::string_view name,
+                                      const ReadMeshOptions& options = {},
+                                      const std::stop_token& stop = {});
 
 /// True for file names that the indexer should pick up in a folder (by extension, any case).
 [[nodiscard]] bool is_model_file(const std::filesystem::path& path);

@@ -30,18 +30,42 @@ bool is_geomview(std::string_view bytes) {
     return std::find(kWords.begin(), kWords.end(), token) != kWords.end();
 }
 
+/// By the first tag, behind declarations and comments.
+ModelFormat xml_format(std::string_view text) {
+    for (std::size_t at = 0; at < text.size() && text[at] == '<';) {
+        const std::string_view tag = text.substr(at);
+        if (tag.starts_with("<COLLADA")) return ModelFormat::kCollada;
+        if (tag.starts_with("<X3D")) return ModelFormat::kX3d;
+        if (tag.starts_with("<amf") || tag.starts_with("<AMF")) return ModelFormat::kAmf;
+        if (!tag.starts_with("<?") && !tag.starts_with("<!")) return ModelFormat::kXml;
+        const std::string_view end = tag.starts_with("<!--") ? "-->" : ">";
+        const std::size_t after = tag.find(end);
+        if (after == std::string_view::npos) break;
+        at = text.find_first_not_of(" \t\r\n", at + after + end.size());
+    }
+    return text.starts_with("<?xml") ? ModelFormat::kXml : ModelFormat::kUnknown;
+}
+
+/// Whether a ZIP archive is a 3MF package, by the names in its directory at the end.
+bool is_three_mf(std::string_view archive) {
+    constexpr std::size_t kDirectory = 1 << 20;
+    const std::string_view end =
+        archive.substr(archive.size() - std::min(archive.size(), kDirectory));
+    return end.find("[Content_Types].xml") != std::string_view::npos &&
+           end.find(".model") != std::string_view::npos;
+}
+
 }  // namespace
 
 ModelFormat recognise_format(std::string_view bytes) {
     constexpr std::size_t kGlance = 4096;
     const std::string_view start = bytes.substr(0, kGlance);
-    const auto mentions = [&](std::string_view word) {
-        return start.find(word) != std::string_view::npos;
-    };
     if (is_binary_stl(bytes)) return ModelFormat::kStlBinary;
     if (bytes.starts_with("glTF")) return ModelFormat::kGltfBinary;
     if (bytes.starts_with("#VRML")) return ModelFormat::kVrml;
-    if (bytes.starts_with("PK\x03\x04")) return ModelFormat::kThreeMf;
+    if (bytes.starts_with("PK\x03\x04")) {
+        return is_three_mf(bytes) ? ModelFormat::kThreeMf : ModelFormat::kZip;
+    }
     if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
     if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
     if (looks_like_ply(bytes)) return ModelFormat::kPly;
@@ -53,10 +77,12 @@ ModelFormat recognise_format(std::string_view bytes) {
 
     const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const std::string_view text = first == std::string_view::npos ? "" : start.substr(first);
-    if (text.starts_with("{") && mentions("\"asset\"")) return ModelFormat::kGltfText;
-    if (text.starts_with("<?xml") || text.starts_with("<COLLADA") || text.starts_with("<X3D")) {
-        return ModelFormat::kXml;
+    // The asset may stand at the end.
+    if (text.starts_with("{") && bytes.find("\"asset\"") != std::string_view::npos) {
+        return ModelFormat::kGltfText;
     }
+    if (text.starts_with("; FBX")) return ModelFormat::kFbx;
+    if (text.starts_with('<')) return xml_format(text);
     if (is_geomview(bytes)) return ModelFormat::kGeomview;
     if (looks_like_obj(bytes)) return ModelFormat::kObj;
     return looks_like_xyz(bytes) ? ModelFormat::kXyz : ModelFormat::kUnknown;
@@ -85,9 +111,17 @@ std::string_view to_string(ModelFormat format) {
         case ModelFormat::kVrml:
             return "VRML";
         case ModelFormat::kThreeMf:
-            return "ZIP or 3MF";
+            return "3MF";
+        case ModelFormat::kZip:
+            return "ZIP";
         case ModelFormat::kXml:
-            return "XML (COLLADA, X3D or AMF)";
+            return "XML (not COLLADA, X3D or AMF)";
+        case ModelFormat::kCollada:
+            return "COLLADA";
+        case ModelFormat::kX3d:
+            return "X3D";
+        case ModelFormat::kAmf:
+            return "AMF";
         case ModelFormat::kFbx:
             return "FBX";
         case ModelFormat::kStep:

@@ -16,9 +16,13 @@ enum class ModelFormat {
     kGltfText,
     kGltfBinary,
     kVrml,
-    kThreeMf,  ///< any ZIP archive, which is what 3MF files are
-    kXml,      ///< COLLADA, X3D and AMF
-    kFbx,
+    kThreeMf,
+    kZip,  ///< any other ZIP archive
+    kCollada,
+    kX3d,
+    kAmf,
+    kXml,  ///< anything else in XML
+    kFbx,  ///< binary or text
     kStep,
     kGeomview,  ///< objects of other kinds than OFF
 };

@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <stop_token>
 
 #include "index/cli/exit_code.h"
+#include "index/model_reader.h"
 
 namespace ossuary::cli {
 
@@ -15,6 +17,8 @@ struct Session {
     std::stop_token stop;
     bool json = false;  ///< --json: data on stdout as one JSON document
     int jobs = 0;       ///< --jobs: worker threads, 0 = all
+    /// Reads model files for all commands.
+    std::shared_ptr<index::ModelReader> reader = std::make_shared<index::ModelReader>();
 };
 
 using CommandBody = std::function<Result<ExitCode>()>;

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "engine/voxel/read_model.h"
+#include "engine/mesh/read_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
@@ -25,9 +25,9 @@ Result<index::Comparison> compare_files(const Options& options, const ranking::R
                                         const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
-    const Result<mesh::ReadMeshResult> a = voxel::read_model(options.a, {}, session.stop);
+    const Result<mesh::ReadMeshResult> a = session.reader->read(options.a, {}, session.stop);
     if (!a.ok()) return a.error();
-    const Result<mesh::ReadMeshResult> b = voxel::read_model(options.b, {}, session.stop);
+    const Result<mesh::ReadMeshResult> b = session.reader->read(options.b, {}, session.stop);
     if (!b.ok()) return b.error();
     Result<index::Comparison> comparison =
         index::compare_meshes(a->mesh, b->mesh, *parameters, rank, session.stop);

@@ -87,6 +87,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     index::IndexOptions index_options;
     index_options.paths.assign(options.paths.begin(), options.paths.end());
     index_options.jobs = session.jobs;
+    index_options.reader = session.reader.get();
     index_options.prune = prune_mode(options.prune);
     for (const std::string& pattern : options.exclude) {
         Result<index::Glob> glob = index::Glob::parse(pattern);

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "engine/voxel/read_model.h"
+#include "engine/mesh/read_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
@@ -50,7 +50,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> query =
-        voxel::read_model(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, {}, session.stop);
     if (!query.ok()) return query.error();
     const double read_ms = watch.elapsed_ms();
 

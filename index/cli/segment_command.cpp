@@ -8,9 +8,9 @@
 #include "engine/decomposition/decompose.h"
 #include "engine/decomposition/rig.h"
 #include "engine/decomposition/seg_file.h"
+#include "engine/mesh/read_mesh.h"
 #include "engine/mesh/weld.h"
 #include "engine/mesh/write_mesh.h"
-#include "engine/voxel/read_model.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/coloured_parts.h"
@@ -101,7 +101,7 @@ Result<ExitCode> run(Options options, const Session& session) {
     options.decompose.method = *method;
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> read =
-        voxel::read_model(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, {}, session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<decomposition::Decomposition> decomposition =

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "engine/core/whole_file.h"
+#include "engine/mesh/read_mesh.h"
 #include "engine/skeleton/skeletonize.h"
-#include "engine/voxel/read_model.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
@@ -76,7 +76,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
     if (!parameters.ok()) return parameters.error();
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> read =
-        voxel::read_model(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, {}, session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/voxel/read_model.h"
+#include "engine/mesh/read_mesh.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
 
@@ -34,9 +34,9 @@ Checked<Response> add_model(Service& service, const Request& request) {
     const auto upload = read_upload(request);
     if (!upload) return tl::unexpected<Problem>(upload.error());
     // A file that cannot be read is refused here and now rather than in a job later.
-    voxel::ReadModelOptions caps;
-    caps.mesh.max_bytes = service.options.http.max_body;
-    const auto mesh = voxel::read_model(upload->bytes, upload->name, caps, request.stop);
+    mesh::ReadMeshOptions caps;
+    caps.max_bytes = service.options.http.max_body;
+    const auto mesh = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
     if (!mesh) return fail(mesh.error());
 
     const std::string* class_name = find_field(request.head.parameters, "class");

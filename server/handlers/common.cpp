@@ -32,14 +32,16 @@ std::optional<Problem> refuse_parameters(const RequestHead& head) {
 
 std::optional<Problem> judge_media_type(const RequestHead& head) {
     const std::string type = media_type(head.header("Content-Type"));
-    // Besides those of model/: what systems and programs call STL, OBJ and PLY files.
-    constexpr std::array<std::string_view, 7> kTypes = {"",
-                                                        "multipart/form-data",
-                                                        "application/octet-stream",
-                                                        "text/plain",
-                                                        "text/prs.wavefront-obj",
-                                                        "application/vnd.ms-pki.stl",
-                                                        "application/sla"};
+    // Besides those of model/: what systems and programs call STL, OBJ, PLY and 3MF files.
+    constexpr std::array<std::string_view, 8> kTypes = {
+        "",
+        "multipart/form-data",
+        "application/octet-stream",
+        "text/plain",
+        "text/prs.wavefront-obj",
+        "application/vnd.ms-pki.stl",
+        "application/sla",
+        "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"};
     if (type.starts_with("model/") ||
         std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end()) {
         return std::nullopt;

@@ -4,7 +4,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
-#include "engine/voxel/read_model.h"
+#include "engine/mesh/read_mesh.h"
 #include "index/describe_model.h"
 #include "index/presentation.h"
 #include "server/handlers/handlers.h"
@@ -49,9 +49,9 @@ Checked<Response> search(Service& service, const Request& request) {
     if (!slot) return tl::unexpected<Problem>(slot.error());
 
     Stopwatch watch;
-    voxel::ReadModelOptions caps;
-    caps.mesh.max_bytes = service.options.http.max_body;
-    const auto query = voxel::read_model(upload->bytes, upload->name, caps, request.stop);
+    mesh::ReadMeshOptions caps;
+    caps.max_bytes = service.options.http.max_body;
+    const auto query = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
     auto result = service.searcher.search(query->mesh, parameters.options, request.stop);

@@ -5,9 +5,11 @@
 #include <sstream>
 #include <thread>
 
+#include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "engine/mesh/write_mesh.h"
 #include "tests/server/test_server.h"
+#include "tests/support/written_formats.h"
 
 namespace ossuary::test {
 namespace {
@@ -25,6 +27,12 @@ protected:
         return "--b\r\nContent-Disposition: form-data; name=\"" + std::string(field) +
                "\"; filename=\"" + std::string(file) + "\"\r\n\r\n" + std::string(bytes) +
                "\r\n--b--\r\n";
+    }
+    [[nodiscard]] std::string three_mf_of(const mesh::TriangleMesh& mesh) const {
+        const fs::path package =
+            write_three_mf(folder_.path() / "query.3mf",
+                           three_mf_part(three_mf_object(mesh), "<item objectid=\"1\"/>"));
+        return std::string(read_whole_file(package)->view());
     }
     static constexpr const char* kForm = "Content-Type: multipart/form-data; boundary=b\r\n";
 };
@@ -115,7 +123,9 @@ TEST_F(Search, RefusesFormsWithoutTheModel) {
 TEST_F(Search, TakesTheContentTypesOfModels) {
     for (const char* type :
          {"model/off", "application/octet-stream", "text/plain; charset=utf-8", "model/stl",
-          "text/prs.wavefront-obj", "application/sla", "application/vnd.ms-pki.stl"}) {
+          "text/prs.wavefront-obj", "application/sla", "application/vnd.ms-pki.stl", "model/3mf",
+          "model/gltf-binary", "model/gltf+json",
+          "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"}) {
         EXPECT_EQ(server_
                       .ask(post("/v1/search?limit=1", tree(),
                                 "Content-Type: " + std::string(type) + "\r\n"))
@@ -135,12 +145,29 @@ TEST_F(Search, FindsAModelInWhateverFormatItComes) {
     };
     const auto expected = best(tree());
     for (const std::string& bytes :
-         {mesh::to_stl(read->mesh), mesh::to_obj(read->mesh), mesh::to_ply(read->mesh)}) {
+         {mesh::to_stl(read->mesh), mesh::to_obj(read->mesh), mesh::to_ply(read->mesh),
+          to_plain_glb(read->mesh), three_mf_of(read->mesh)}) {
         const auto found = best(bytes);
         EXPECT_EQ(found["id"], expected["id"]);
         EXPECT_NEAR(found["distance"].get<double>(), expected["distance"].get<double>(), 0.02);
     }
     EXPECT_EQ(server_.code(post("/v1/search", "ply\nformat ascii 2\nvertex\n"), 422), "ply_header");
+}
+
+TEST_F(Search, AnswersOnAfterAFileThatCannotBeRead) {
+    const std::string glb = to_plain_glb(mesh::read_mesh(tree(), "tree")->mesh);
+    const std::string beside =
+        R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"tree.bin"}]})";
+    std::string deep = R"({"asset":{"version":"2.0"},"extras":)";
+    deep += std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
+    for (int round = 0; round < 3; ++round) {
+        EXPECT_EQ(server_.code(post("/v1/search", glb.substr(0, 400)), 422), "gltf_invalid");
+        EXPECT_EQ(server_.code(post("/v1/search", beside), 422), "gltf_buffer");
+        EXPECT_EQ(server_.code(post("/v1/search", deep), 422), "reader_crashed");
+        EXPECT_EQ(server_.json(post("/v1/search?limit=1", form("model", "tree.glb", glb), kForm),
+                               200)["hits"][0]["name"],
+                  "treea");
+    }
 }
 
 TEST_F(Search, NamesTheParameterAtFault) {

@@ -1,0 +1,106 @@
+#include "tests/support/written_formats.h"
+
+#include <zip.h>
+
+#include <array>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/mesh/measures.h"
+#include "index/bytes.h"
+
+namespace ossuary::test {
+namespace {
+
+constexpr const char* kTypes =
+    R"(<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">)"
+    R"(<Default Extension="rels" )"
+    R"(ContentType="application/vnd.openxmlformats-package.relationships+xml"/>)"
+    R"(<Default Extension="model" )"
+    R"(ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)";
+constexpr const char* kRelations =
+    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)"
+    R"(<Relationship Target="/3D/3dmodel.model" Id="r" )"
+    R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+
+std::string chunk(const char* kind, std::string bytes, char filler) {
+    bytes.resize((bytes.size() + 3) / 4 * 4, filler);
+    index::ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(bytes.size()));
+    writer.put_raw({kind, 4});
+    writer.put_raw(bytes);
+    return std::move(writer).take();
+}
+
+}  // namespace
+
+std::string to_plain_glb(const mesh::TriangleMesh& mesh) {
+    index::ByteWriter numbers;
+    for (const Vec3& vertex : mesh.vertices) {
+        for (const double x : vertex) numbers.put(static_cast<float>(x));
+    }
+    const std::size_t positions = numbers.bytes().size();
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t corner : triangle) numbers.put(corner);
+    }
+    const std::size_t all = numbers.bytes().size();
+    std::ostringstream text;
+    text << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         << R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+         << R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)"
+         << mesh.vertices.size()
+         << R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)"
+         << 3 * mesh.triangles.size() << R"(}],"bufferViews":[{"buffer":0,"byteLength":)"
+         << positions << R"(},{"buffer":0,"byteOffset":)" << positions << R"(,"byteLength":)"
+         << all - positions << R"(}],"buffers":[{"byteLength":)" << all << "}]}";
+    const std::string body =
+        chunk("JSON", text.str(), ' ') +
+        chunk(std::string_view("BIN\0", 4).data(), std::move(numbers).take(), '\0');
+    index::ByteWriter glb;
+    glb.put_raw("glTF");
+    glb.put(std::uint32_t{2});
+    glb.put(static_cast<std::uint32_t>(12 + body.size()));
+    glb.put_raw(body);
+    return std::move(glb).take();
+}
+
+std::string three_mf_part(const std::string& resources, const std::string& build) {
+    return R"(<model unit="millimeter" )"
+           R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>)" +
+           resources + "</resources><build>" + build + "</build></model>";
+}
+
+std::string three_mf_object(const mesh::TriangleMesh& mesh) {
+    std::ostringstream text;
+    text.precision(9);
+    text << R"(<object id="1" type="model"><mesh><vertices>)";
+    for (const Vec3& vertex : mesh.vertices) {
+        text << "<vertex x=\"" << vertex.x() << "\" y=\"" << vertex.y() << "\" z=\"" << vertex.z()
+             << "\"/>";
+    }
+    text << "</vertices><triangles>";
+    for (const auto& triangle : mesh.triangles) {
+        text << "<triangle v1=\"" << triangle[0] << "\" v2=\"" << triangle[1] << "\" v3=\""
+             << triangle[2] << "\"/>";
+    }
+    text << "</triangles></mesh></object>";
+    return text.str();
+}
+
+std::filesystem::path write_three_mf(const std::filesystem::path& path, const std::string& part) {
+    int error = 0;
+    zip_t* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+    if (archive == nullptr) throw std::runtime_error("no archive at " + path.string());
+    const std::array<std::pair<const char*, std::string>, 3> parts = {
+        std::pair{"[Content_Types].xml", std::string(kTypes)},
+        std::pair{"_rels/.rels", std::string(kRelations)}, std::pair{"3D/3dmodel.model", part}};
+    for (const auto& [name, text] : parts) {
+        zip_source_t* source = zip_source_buffer(archive, text.data(), text.size(), 0);
+        zip_file_add(archive, name, source, 0);
+    }
+    if (zip_close(archive) != 0) throw std::runtime_error("no package at " + path.string());
+    return path;
+}
+
+}  // namespace ossuary::test

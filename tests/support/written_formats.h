@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "engine/mesh/triangle_mesh.h"
+
+namespace ossuary::test {
+
+/// A mesh as a GLB of one node: floats, 32-bit indices.
+std::string to_plain_glb(const mesh::TriangleMesh& mesh);
+
+/// The model part of a 3MF package, from its resources and the items of its build.
+std::string three_mf_part(const std::string& resources, const std::string& build);
+
+/// A mesh as the resources of such a part: object 1. As many digits as floats have.
+std::string three_mf_object(const mesh::TriangleMesh& mesh);
+
+/// A 3MF package around a model part. Throws where it cannot be written.
+std::filesystem::path write_three_mf(const std::filesystem::path& path, const std::string& part);
+
+}  // namespace ossuary::test
