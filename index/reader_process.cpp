@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -15,6 +16,7 @@
 #include <ctime>
 #include <string>
 #include <system_error>
+#include <thread>
 
 namespace ossuary::index {
 namespace {
@@ -101,11 +103,7 @@ Result<std::unique_ptr<ReaderProcess>> ReaderProcess::start(const std::filesyste
 
 ReaderProcess::~ReaderProcess() {
     kill();
-    if (!waited_for_) {
-        int status = 0;
-        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-        }
-    }
+    wait_for_end();
 }
 
 bool ReaderProcess::is_usable() const {
@@ -131,13 +129,7 @@ Result<void> ReaderProcess::wait_until_ready() {
 
 Result<Packet> ReaderProcess::next_message(Deadline deadline, const std::stop_token& stop) {
     while (true) {
-        pollfd waiting{socket_.get(), POLLIN, 0};
-        const int ready = ::poll(&waiting, 1, static_cast<int>(kBetweenLooks.count()));
-        if (ready > 0) break;
-        if (ready < 0 && errno != EINTR) {
-            kill();
-            return {ErrorCode::kInternal, std::generic_category().message(errno)};
-        }
+        // Looked at before every message: one that sends them without end gets no further.
         if (stop.stop_requested()) {
             kill();
             return {ErrorCode::kCancelled, "reading was cancelled"};
@@ -148,21 +140,36 @@ Result<Packet> ReaderProcess::next_message(Deadline deadline, const std::stop_to
                                                 std::to_string(limits_.time.count()) +
                                                 " ms, found one that takes longer"};
         }
+        pollfd waiting{socket_.get(), POLLIN, 0};
+        const int ready = ::poll(&waiting, 1, static_cast<int>(kBetweenLooks.count()));
+        if (ready > 0) break;
+        if (ready < 0 && errno != EINTR) {
+            kill();
+            return {ErrorCode::kInternal, std::generic_category().message(errno)};
+        }
     }
     auto packet = receive_packet(socket_.get());
     if (!packet || packet->bytes.empty()) return cause_of_death();
     return packet;
 }
 
+int ReaderProcess::wait_for_end() {
+    constexpr int kLooks = 100;
+    int status = 0;
+    for (int look = 0; !waited_for_; ++look) {
+        // One that has let go of its socket and lives on is not waited for.
+        if (look == kLooks) kill();
+        const pid_t ended = ::waitpid(process_, &status, look < kLooks ? WNOHANG : 0);
+        waited_for_ = ended == process_ || (ended < 0 && errno != EINTR);
+        if (!waited_for_) std::this_thread::sleep_for(kBetweenLooks);
+    }
+    return status;
+}
+
 Error ReaderProcess::cause_of_death() {
     usable_ = false;
-    int status = 0;
-    pid_t ended = -1;
-    do {
-        ended = ::waitpid(process_, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    waited_for_ = true;
-    if (ended != process_ || !WIFSIGNALED(status)) {
+    const int status = wait_for_end();
+    if (!WIFSIGNALED(status)) {
         return {ErrorCode::kReaderCrashed, "the reader ended in the middle of the file"};
     }
     const int signal = WTERMSIG(status);
@@ -175,8 +182,8 @@ Error ReaderProcess::cause_of_death() {
         return {ErrorCode::kReaderMemory, "expected a smaller mesh, found one beyond all limits"};
     }
     const char* name = sigabbrev_np(signal);
-    return {ErrorCode::kReaderCrashed,
-            std::string("the reader was ended by the file, with SIG") + (name ? name : "?")};
+    return {ErrorCode::kReaderCrashed, std::string("the reader was ended by the file, with SIG") +
+                                           (name == nullptr ? "?" : name)};
 }
 
 bool ReaderProcess::limit_processor_time() {

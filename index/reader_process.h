@@ -57,6 +57,8 @@ private:
     bool hand_over(std::string_view name, const GiveFile& give);
     bool limit_processor_time();
     void kill();
+    /// Its status; ends it where it does not end by itself soon.
+    int wait_for_end();
     /// Why it ended, as far as the system says; waits for its end.
     Error cause_of_death();
 
