@@ -157,8 +157,9 @@ Result<void> check_extensions(const tinygltf::Model& model) {
                                                        "KHR_xmp",
                                                        "KHR_xmp_json_ld",
                                                        "MSFT_lod"};
-    constexpr std::array<std::string_view, 5> kLooks = {
-        "KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "EXT_lights_"};
+    constexpr std::array<std::string_view, 6> kLooks = {"KHR_materials_", "KHR_texture_",
+                                                        "KHR_technique",  "EXT_texture_",
+                                                        "MSFT_texture_",  "EXT_lights_"};
     for (const std::string& name : model.extensionsRequired) {
         const bool fine = std::find(kRead.begin(), kRead.end(), name) != kRead.end() ||
                           std::any_of(kLooks.begin(), kLooks.end(), [&](std::string_view start) {
