@@ -37,7 +37,7 @@ ModelFormat xml_format(std::string_view text) {
         if (tag.starts_with("<COLLADA")) return ModelFormat::kCollada;
         if (tag.starts_with("<X3D")) return ModelFormat::kX3d;
         if (tag.starts_with("<amf") || tag.starts_with("<AMF")) return ModelFormat::kAmf;
-        if (!tag.starts_with("<?") && !tag.starts_with("<!")) return ModelFormat::kXml;
+        if (!tag.starts_with("<?") && !tag.starts_with("<!")) break;
         const std::string_view end = tag.starts_with("<!--") ? "-->" : ">";
         const std::size_t after = tag.find(end);
         if (after == std::string_view::npos) break;
