@@ -12,7 +12,8 @@ export interface paths {
         put?: never;
         /**
          * Rank the collection against an uploaded model
-         * @description The body is a model file (OFF and its relatives, STL, OBJ or PLY, text or binary), raw or as the
+         * @description The body is a model file (OFF and its relatives, STL, OBJ, PLY, 3MF, glTF, COLLADA, X3D, AMF
+         *     or FBX), raw or as the
          *     field `model` of a multipart form; the format follows the contents. Nothing is stored.
          */
         post: operations["search"];
@@ -779,7 +780,7 @@ export interface components {
         };
         /**
          * @description The body is longer than the server takes (`payload_too_large`), or the model has more vertices,
-         *     faces or corners than it takes (`off_too_many_vertices`, `stl_too_many_faces`, …).
+         *     faces or corners than it takes (`off_too_many_vertices`, `model_too_many_faces`, …).
          */
         TooLarge: {
             headers: {
@@ -803,7 +804,10 @@ export interface components {
         };
         /**
          * @description The model cannot be read or has no skeleton; `detail` names the line, the byte or the triangle,
-         *     and what was expected (`off_truncated`, `ply_header`, `obj_index_out_of_range`, `mesh_empty`, …).
+         *     and what was expected (`off_truncated`, `ply_header`, `obj_index_out_of_range`, `gltf_invalid`,
+         *     `mesh_empty`, …). `reader_time`, `reader_memory` and `reader_crashed` say that the process that read
+         *     the file had to be ended, or was by the file. A glTF document must hold its buffers: the server gives
+         *     it no others (`gltf_buffer`).
          */
         UnusableModel: {
             headers: {
@@ -861,6 +865,7 @@ export interface components {
                 "text/prs.wavefront-obj": unknown;
                 "application/vnd.ms-pki.stl": unknown;
                 "application/sla": unknown;
+                "application/vnd.ms-package.3dmanufacturing-3dmodel+xml": unknown;
                 "multipart/form-data": {
                     model: string;
                 };
