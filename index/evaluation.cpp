@@ -13,12 +13,7 @@ namespace ossuary::index {
 
 namespace {
 
-/// The models to evaluate, as positions in a snapshot.
-struct Selection {
-    std::vector<std::size_t> positions;
-    std::vector<std::string> labels;
-    std::vector<std::string> missing;
-};
+using Selection = ClassifiedModels;
 
 std::string file_name(const ModelSummary& model) {
     return model.path.empty() ? model.name : std::filesystem::path(model.path).filename().string();
@@ -35,49 +30,12 @@ Selection select_classified(const Snapshot& snapshot) {
     return selection;
 }
 
-Result<Selection> select_named(const Snapshot& snapshot,
-                               const ranking::Classification& classification) {
-    std::multimap<std::string, std::size_t> by_file_name;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        by_file_name.emplace(file_name(snapshot.models()[i]), i);
-    }
-    Selection selection;
-    for (const ranking::ClassifiedModel& named : ranking::models_in_order(classification)) {
-        std::optional<std::size_t> position;
-        for (const std::string& name : ranking::candidate_file_names(named.id)) {
-            const auto [first, last] = by_file_name.equal_range(name);
-            if (first == last) continue;
-            if (std::next(first) != last) {
-                return {ErrorCode::kInvalidArgument,
-                        "model \"" + named.id + "\" may be " +
-                            snapshot.models()[first->second].path + " or " +
-                            snapshot.models()[std::next(first)->second].path};
-            }
-            position = first->second;
-            break;
-        }
-        if (position) {
-            selection.positions.push_back(*position);
-            selection.labels.push_back(named.class_name);
-        } else {
-            selection.missing.push_back(named.id);
-        }
-    }
-    if (selection.positions.empty() && !selection.missing.empty()) {
-        return {ErrorCode::kClaUnknownModel,
-                "none of the " + std::to_string(selection.missing.size()) +
-                    " models that the classification names is in the index, the first being \"" +
-                    selection.missing.front() + "\""};
-    }
-    return selection;
-}
-
 Result<Selection> select(const Snapshot& snapshot, const EvaluateOptions& options) {
     if (!(options.rank.pose >= 0.0 && options.rank.pose <= 1.0)) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.rank.pose) + ", expected a number from 0 to 1"};
     }
-    auto selection = options.classification ? select_named(snapshot, *options.classification)
+    auto selection = options.classification ? classified_models(snapshot, *options.classification)
                                             : Result<Selection>(select_classified(snapshot));
     if (!selection) return selection;
     std::map<std::string, int> members;
@@ -151,6 +109,43 @@ Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection,
 }
 
 }  // namespace
+
+Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
+                                           const ranking::Classification& classification) {
+    std::multimap<std::string, std::size_t> by_file_name;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        by_file_name.emplace(file_name(snapshot.models()[i]), i);
+    }
+    ClassifiedModels selection;
+    for (const ranking::ClassifiedModel& named : ranking::models_in_order(classification)) {
+        std::optional<std::size_t> position;
+        for (const std::string& name : ranking::candidate_file_names(named.id)) {
+            const auto [first, last] = by_file_name.equal_range(name);
+            if (first == last) continue;
+            if (std::next(first) != last) {
+                return {ErrorCode::kInvalidArgument,
+                        "model \"" + named.id + "\" may be " +
+                            snapshot.models()[first->second].path + " or " +
+                            snapshot.models()[std::next(first)->second].path};
+            }
+            position = first->second;
+            break;
+        }
+        if (position) {
+            selection.positions.push_back(*position);
+            selection.labels.push_back(named.class_name);
+        } else {
+            selection.missing.push_back(named.id);
+        }
+    }
+    if (selection.positions.empty() && !selection.missing.empty()) {
+        return {ErrorCode::kClaUnknownModel,
+                "none of the " + std::to_string(selection.missing.size()) +
+                    " models that the classification names is in the index, the first being \"" +
+                    selection.missing.front() + "\""};
+    }
+    return selection;
+}
 
 Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options) {
     const auto selection = select(snapshot, options);

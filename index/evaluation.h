@@ -37,6 +37,18 @@ struct Evaluation {
     std::string computed_at;  ///< ISO 8601, UTC
 };
 
+/// The models of a snapshot that a classification names, in its order.
+struct ClassifiedModels {
+    std::vector<std::size_t> positions;  ///< in the snapshot
+    std::vector<std::string> labels;
+    std::vector<std::string> missing;
+};
+
+/// Errors: cla_unknown_model when the snapshot has none of them, invalid_argument when a name may
+/// stand for several.
+Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
+                                           const ranking::Classification& classification);
+
 /// Leave-one-out retrieval quality over a snapshot; a function of the snapshot and the options.
 /// Errors: cla_unknown_model when the index has none of the classification's models,
 /// invalid_argument when an id may stand for several of them or no class has two models, cancelled

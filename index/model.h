@@ -22,7 +22,7 @@ using ModelId = std::int64_t;
 
 /// Raised whenever the same file would be described differently; an index that was built with
 /// another version has to be built again.
-inline constexpr int kPipelineVersion = 5;
+inline constexpr int kPipelineVersion = 6;
 /// Earlier ones left models without parts.
 inline constexpr int kFirstPipelineWithSegments = 4;
 

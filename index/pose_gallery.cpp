@@ -101,13 +101,14 @@ std::vector<PoseExample> pose_examples(const Snapshot& snapshot, const Evaluatio
     return examples;
 }
 
-Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample> examples) {
+Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample> examples,
+                                      const std::string& before) {
     std::string html =
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width\"><title>Poses</title><style>" +
-        std::string(kGalleryStyle) +
-        "</style></head><body>\n<h1>Poses</h1>\n<p>Models beside the nearest of their own class "
-        "under <code>skeleton</code>: by build alone (pose 0), and where pose decides (pose "
+        std::string(kGalleryStyle) + "</style></head><body>\n<h1>Poses</h1>\n" + before +
+        "<p>Models beside the nearest of their own class "
+        "under <code>skeleton</code>: by build alone (pose 0), and by pose alone (pose "
         "1).</p>\n";
     const std::string* last = nullptr;
     for (const PoseExample& example : examples) {
@@ -131,8 +132,8 @@ Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample>
 }
 
 Result<void> write_pose_gallery(const fs::path& folder, Store& store,
-                                std::span<const PoseExample> examples) {
-    const auto html = pose_gallery_html(store, examples);
+                                std::span<const PoseExample> examples, const std::string& before) {
+    const auto html = pose_gallery_html(store, examples, before);
     if (!html) return html.error();
     std::error_code error;
     fs::create_directories(folder, error);

@@ -27,12 +27,15 @@ struct PoseExample {
                                                      const Evaluation& evaluation,
                                                      std::size_t per_class = 5, int jobs = 1);
 
-/// One page with the three pictures of each example, which needs nothing else. Errors: those of
+/// One page with the three pictures of each example, which needs nothing else. `before` is markup
+/// that comes first. Errors: those of
 /// reading the store; a model without a thumbnail is shown by its name.
-Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample> examples);
+Result<std::string> pose_gallery_html(Store& store, std::span<const PoseExample> examples,
+                                      const std::string& before = "");
 
 /// Writes it to poses.html in `folder`, which is made if need be.
 Result<void> write_pose_gallery(const std::filesystem::path& folder, Store& store,
-                                std::span<const PoseExample> examples);
+                                std::span<const PoseExample> examples,
+                                const std::string& before = "");
 
 }  // namespace ossuary::index

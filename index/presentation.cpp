@@ -10,6 +10,8 @@ using nlohmann::json;
 
 json point(const Vec3& value) { return {value.x(), value.y(), value.z()}; }
 
+json number_or_null(const std::optional<double>& number) { return number ? json(*number) : json(); }
+
 json class_or_null(const std::string& name) { return name.empty() ? json() : json(name); }
 
 json pairs(const std::vector<matching::Correspondence::Pair>& list) {
@@ -151,6 +153,8 @@ json to_json(const Hit& hit) {
             {"class", class_or_null(hit.class_name)},
             {"distance", hit.distance},
             {"parts", to_json(hit.parts)},
+            {"build_difference", number_or_null(hit.build)},
+            {"pose_difference", number_or_null(hit.pose)},
             {"matched_nodes", hit.matched_nodes},
             {"match", to_json(hit.match)}};
 }
@@ -184,6 +188,8 @@ json to_json(const Comparison& comparison, const ranking::RankOptions& options) 
             {"part", options.part},
             {"distance", comparison.match.distance},
             {"parts", to_json(comparison.match.parts)},
+            {"build_difference", number_or_null(comparison.match.build)},
+            {"pose_difference", number_or_null(comparison.match.pose)},
             {"matched_nodes", comparison.match.correspondence.nodes.size()},
             {"match", to_json(comparison.match.correspondence)},
             {"skeletons",

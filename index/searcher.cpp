@@ -73,6 +73,8 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
             if (!match) return match.error();
             hit.parts = std::move(match->parts);
             hit.matched_nodes = match->correspondence.nodes.size();
+            hit.build = match->build;
+            hit.pose = match->pose;
             hit.match = std::move(match->correspondence);
         }
         result.stages_ms.push_back({"explain", watch.lap_ms()});

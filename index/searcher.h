@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ struct Hit {
     double distance = 0.0;
     std::vector<matching::DistancePart> parts;
     std::size_t matched_nodes = 0;
-    matching::Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
+    std::optional<double> build, pose;  ///< those of matching::Match
+    matching::Correspondence match;     ///< a = the query's nodes and branches, b = the hit's
 };
 
 struct SearchResult {

@@ -134,7 +134,8 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
     if (stop.stop_requested()) return cancelled();
 
     description.descriptor.globals =
-        global_descriptors(solid.surface, skeleton.solid.volume, skeletons, stop);
+        global_descriptors(solid.surface, skeleton.solid.volume, skeletons,
+                           skeleton.solid.world_from_grid.rotation, stop);
     if (stop.stop_requested()) return cancelled();
     description.descriptor.skeleton = std::move(skeletons.front());
     lap("global_descriptors");

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/byte_distance.h"
 #include "engine/descriptor/shape_diameter.h"
 #include "engine/descriptor/shell_graph.h"
@@ -14,13 +15,16 @@ namespace {
 
 /// Voxels to a node of the graph: keeps a model at about 1,500 nodes.
 constexpr int kCellSize = 4;
+/// Mean distances are of the first of the sources that pairs of thicknesses are taken from.
 constexpr int kGeodesicSources = 16;
+constexpr int kPairSources = 32;
 
 }  // namespace
 
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop) {
+    std::span<const matching::SkeletonDescriptor> skeletons, const Mat3& rotation,
+    const std::stop_token& stop) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
@@ -35,8 +39,15 @@ std::vector<GlobalDescriptor> global_descriptors(
     if (stop.stop_requested()) return globals;
     add(surface_pairs(graph));
     if (stop.stop_requested()) return globals;
-    add(local_volume(graph, average_geodesic_distances(graph, kGeodesicSources), solid));
-    add(radial_thickness(graph, shape_diameters(graph, solid)));
+    const SpreadDistances spread = spread_distances(graph, kPairSources);
+    add(local_volume(graph, average_geodesic_distances(graph, spread, kGeodesicSources), solid));
+    if (stop.stop_requested()) return globals;
+    const std::vector<float> diameters = shape_diameters(graph, solid);
+    const double scale = body_scale(surface.total_area, static_cast<double>(solid.count()));
+    add(radial_thickness(graph, diameters));
+    add(thickness(graph, diameters, scale));
+    add(thickness_pairs(graph, spread, diameters, scale));
+    add(pose_points(graph, scale, rotation));
     return globals;
 }
 
@@ -54,6 +65,8 @@ double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
             return squared_byte_distance(a.values, b.values);
         case GlobalMetric::kViews:
             return view_distance(a.values, b.values);
+        case GlobalMetric::kPose:
+            return pose_points_distance(a.values, b.values);
     }
     assert(false);
     return 0.0;

@@ -7,13 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/geometry.h"
 #include "engine/descriptor/local_volume.h"
 #include "engine/descriptor/model_descriptor.h"
+#include "engine/descriptor/pose_points.h"
 #include "engine/descriptor/radial_thickness.h"
 #include "engine/descriptor/skeleton_layout.h"
 #include "engine/descriptor/skeleton_pairs.h"
 #include "engine/descriptor/solid_surface.h"
 #include "engine/descriptor/surface_pairs.h"
+#include "engine/descriptor/thickness.h"
 #include "engine/descriptor/view_spectra.h"
 #include "engine/voxel/bit_volume.h"
 
@@ -24,6 +27,7 @@ enum class GlobalMetric {
     kManhattan,         ///< sum of absolute differences of the bytes
     kSquaredManhattan,  ///< of their squares
     kViews,             ///< view_distance
+    kPose,              ///< pose_points_distance
 };
 
 struct GlobalDescriptorKind {
@@ -40,6 +44,9 @@ inline constexpr std::array kGlobalDescriptorKinds = {
     GlobalDescriptorKind{"surface_pairs", kSurfacePairsSize, GlobalMetric::kSquaredManhattan},
     GlobalDescriptorKind{"local_volume", kLocalVolumeSize, GlobalMetric::kManhattan},
     GlobalDescriptorKind{"radial_thickness", kRadialThicknessSize, GlobalMetric::kManhattan},
+    GlobalDescriptorKind{"thickness", kThicknessSize, GlobalMetric::kManhattan},
+    GlobalDescriptorKind{"thickness_pairs", kThicknessPairsSize, GlobalMetric::kManhattan},
+    GlobalDescriptorKind{"pose_points", kPosePointsSize, GlobalMetric::kPose},
 };
 
 /// Where in ModelDescriptor::globals each is.
@@ -50,15 +57,20 @@ enum GlobalPlace : std::size_t {
     kSurfacePairsPlace,
     kLocalVolumePlace,
     kRadialThicknessPlace,
+    kThicknessPlace,
+    kThicknessPairsPlace,
+    kPosePointsPlace,
 };
 
 /// All global descriptors of a solid and its skeleton.
 /// @param surface    solid_surface(solid)
 /// @param skeletons  of the same model, made on one grid or several
+/// @param rotation  of the solid's grid in the file (WorldFromGrid::rotation)
 /// @param stop  once requested, they are not complete
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop = {});
+    std::span<const matching::SkeletonDescriptor> skeletons,
+    const Mat3& rotation = Mat3::Identity(), const std::stop_token& stop = {});
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.

@@ -122,15 +122,12 @@ void shortest_distances(const ShellGraph& graph, std::uint32_t source,
     }
 }
 
-std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sources) {
+SpreadDistances spread_distances(const ShellGraph& graph, int sources) {
+    SpreadDistances spread;
     const std::size_t count = graph.size();
-    std::vector<float> average(count, 0.0F);
-    if (count == 0) return average;
+    if (count == 0) return spread;
     const std::size_t wanted = std::min(static_cast<std::size_t>(sources), count);
-
-    std::vector<std::vector<float>> from_source;
     std::vector<float> nearest(count, kUnreached);
-    std::vector<std::size_t> nearest_source(count, 0);
     // The first source is the node farthest from node 0, so that it depends on the shape alone.
     std::uint32_t next = 0;
     for (std::size_t s = 0; s <= wanted; ++s) {
@@ -146,24 +143,35 @@ std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sourc
                                               distances.begin());
             continue;
         }
-        for (std::size_t i = 0; i < count; ++i) {
-            if (distances[i] < nearest[i]) {
-                nearest[i] = distances[i];
-                nearest_source[i] = s - 1;
-            }
-        }
+        for (std::size_t i = 0; i < count; ++i) nearest[i] = std::min(nearest[i], distances[i]);
+        spread.sources.push_back(next);
+        spread.from.push_back(std::move(distances));
         next = static_cast<std::uint32_t>(std::max_element(nearest.begin(), nearest.end()) -
                                           nearest.begin());
-        from_source.push_back(std::move(distances));
     }
+    return spread;
+}
 
-    std::vector<double> weight(from_source.size(), 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-        weight[nearest_source[i]] += static_cast<double>(graph.areas[i]) / graph.total_area;
+std::vector<double> SpreadDistances::shares(const ShellGraph& graph, std::size_t count) const {
+    std::vector<double> shares(std::min(count, from.size()), 0.0);
+    if (shares.empty()) return shares;
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        std::size_t nearest = 0;
+        for (std::size_t s = 1; s < shares.size(); ++s) {
+            if (from[s][i] < from[nearest][i]) nearest = s;
+        }
+        shares[nearest] += static_cast<double>(graph.areas[i]) / graph.total_area;
     }
-    for (std::size_t s = 0; s < from_source.size(); ++s) {
-        const auto share = static_cast<float>(weight[s]);
-        for (std::size_t i = 0; i < count; ++i) average[i] += share * from_source[s][i];
+    return shares;
+}
+
+std::vector<float> average_geodesic_distances(const ShellGraph& graph,
+                                              const SpreadDistances& spread, int sources) {
+    std::vector<float> average(graph.size(), 0.0F);
+    const std::vector<double> shares = spread.shares(graph, static_cast<std::size_t>(sources));
+    for (std::size_t s = 0; s < shares.size(); ++s) {
+        const auto share = static_cast<float>(shares[s]);
+        for (std::size_t i = 0; i < graph.size(); ++i) average[i] += share * spread.from[s][i];
     }
     return average;
 }

@@ -30,9 +30,21 @@ ShellGraph shell_graph(const SolidSurface& surface, int cell_size);
 void shortest_distances(const ShellGraph& graph, std::uint32_t source,
                         std::vector<float>& distances);
 
-/// The mean geodesic distance of each node to the whole surface, estimated from `sources` nodes
-/// that are spread by farthest-point sampling and weighted by the area that is nearest to each.
+/// Geodesic distances from some nodes that are spread by farthest-point sampling to all nodes.
 /// Across pieces of surface that do not touch, the straight distance stands in.
-std::vector<float> average_geodesic_distances(const ShellGraph& graph, int sources);
+struct SpreadDistances {
+    std::vector<std::uint32_t> sources;    ///< each the farthest from those before it
+    std::vector<std::vector<float>> from;  ///< of each source, to each node
+    /// The share of the area that is nearest to each of the first `count` sources.
+    [[nodiscard]] std::vector<double> shares(const ShellGraph& graph, std::size_t count) const;
+};
+
+/// @param sources  fewer where the graph has fewer nodes
+SpreadDistances spread_distances(const ShellGraph& graph, int sources);
+
+/// The mean geodesic distance of each node to the whole surface, estimated from the first `sources`
+/// of them, weighted by the area that is nearest to each.
+std::vector<float> average_geodesic_distances(const ShellGraph& graph,
+                                              const SpreadDistances& spread, int sources);
 
 }  // namespace ossuary::descriptor

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct Match {
     double distance = 0.0;  ///< 0 for equal skeletons; symmetric; at most about 1
     std::vector<DistancePart> parts;
     Correspondence correspondence;
+    /// How unlike the two are built, and how differently they stand: each over what is usual for
+    /// two models, so that 0 is the same and 1 a pair at random. Set by rankers that know them.
+    std::optional<double> build = std::nullopt;
+    std::optional<double> pose = std::nullopt;
 };
 
 }  // namespace ossuary::matching

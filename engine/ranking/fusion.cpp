@@ -12,18 +12,18 @@ namespace {
 /// it .874, .881 and .881, and the armadillo's poses are told from other models with an AUC of
 /// .9999, .9999 and .9997. Before nearness, `hybrid` was flat near the optimum on the ten classes
 /// (.884): halving or doubling any one weight changed it by less than one point.
-constexpr ComponentValues kSkeletonWeights = {5.0, 4.0, 2.0, 0.0, 0.0, 0.0, 0.0};
+/// Build and pose have no weight here: they tell bodies of a kind apart.
+constexpr ComponentValues kSkeletonWeights = {5.0, 4.0, 2.0};
 constexpr ComponentValues kHybridWeights = {5.0, 2.5, 1.0, 4.0, 1.5, 1.0, 1.5};
 /// Of the tree edit distance's weight under `skeleton`, what stays where the skeleton tells
 /// nothing.
 constexpr double kLeastTreeShare = 0.5;
-constexpr std::size_t kLayoutComponent = 1 + descriptor::kSkeletonLayoutPlace;
 /// What tells copies of a model from its likes: descriptors that are means over several grids, and
 /// views. A small change of the surface turns the tree over (its median distance to a noisy copy is
 /// .43 of the mean one, that to the nearest other model .49) and moves these little (pairs .07
 /// against .20, layout .05 against .18).
-constexpr ComponentValues kSkeletonNearness = {0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0};
-constexpr ComponentValues kHybridNearness = {0.0, 1.0, 1.0, 2.0, 0.0, 0.0, 0.0};
+constexpr ComponentValues kSkeletonNearness = {0.0, 1.0, 1.0};
+constexpr ComponentValues kHybridNearness = {0.0, 1.0, 1.0, 2.0};
 /// The share of their mean distance at which these make a pair count as near. Of 300 noisy and 300
 /// decimated copies `skeleton` finds 257 and 275 without; with .05, .1, .15 and .3 277, 284, 285,
 /// 285 and 288, 289, 289, 289, the first tier of the ten classes the same to .001.
@@ -100,6 +100,22 @@ double sum_of(const ComponentValues& values) {
     return sum;
 }
 
+/// The share `t` of the weights goes to one component.
+void give(ComponentValues& weights, std::size_t component, double t) {
+    const double total = sum_of(weights);
+    for (double& weight : weights) weight *= 1.0 - t;
+    weights[component] += t * total;
+}
+
+/// Between build alone, the weights that tell kinds apart, and pose alone.
+void weigh_pose(ComponentValues& weights, double pose) {
+    if (pose < kDefaultPose) {
+        give(weights, kBuildComponent, 1.0 - pose / kDefaultPose);
+    } else {
+        give(weights, kPoseComponent, (pose - kDefaultPose) / (1.0 - kDefaultPose));
+    }
+}
+
 }  // namespace
 
 double skeleton_information(const matching::SkeletonDescriptor& skeleton) {
@@ -130,9 +146,8 @@ FusionSide fusion_side(const descriptor::ModelDescriptor& model, const ModelScal
         side.weights = kHybridWeights;
         for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
     }
-    // It knows nothing but the pose.
-    side.weights[kLayoutComponent] *= pose_share(options);
-    side.nearness[kLayoutComponent] *= pose_share(options);
+    weigh_pose(side.weights, options.pose);
+    weigh_pose(side.nearness, options.pose);
     return side;
 }
 

@@ -10,7 +10,7 @@
 namespace ossuary::ranking {
 namespace {
 
-constexpr double kFormat = 2.0;
+constexpr double kFormat = 3.0;
 constexpr std::size_t kScaleSize = 2 * kComponentCount;
 constexpr std::size_t kHeader = 3 + kScaleSize;
 constexpr std::size_t kRecord = 2 + kScaleSize;
@@ -24,8 +24,9 @@ constexpr std::size_t kMaxKnown = kMaxPairs / kLeastReferences;
 
 /// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
 /// weighs as much as this many distances against those.
-constexpr ModelScale kTypicalScale = {{0.50, 2890.0, 2080.0, 16800.0, 218000.0, 4330.0, 6140.0},
-                                      {0.072, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0}};
+constexpr ModelScale kTypicalScale = {
+    {0.50, 2890.0, 2080.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.6, 0.173},
+    {0.072, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.15, 0.040}};
 static_assert(kTypicalScale.mean.back() > 0.0 && kTypicalScale.deviation.back() > 0.0,
               "a component without a scale");
 constexpr double kTypicalWeight = 10.0;
@@ -45,7 +46,8 @@ std::uint64_t model_key(const descriptor::ModelDescriptor& model) {
     return hash;
 }
 
-/// Running moments for each component; what is not finite does not count.
+/// Running moments for each component; what is not finite does not count. Nor does pose, which is
+/// measured for the models that are ranked by it alone: its scale is the built-in one.
 struct ScaleSum {
     ComponentValues sum{};
     ComponentValues square_sum{};
@@ -53,7 +55,7 @@ struct ScaleSum {
 
     void add(const ComponentValues& distances) {
         for (std::size_t c = 0; c < kComponentCount; ++c) {
-            if (!std::isfinite(distances[c])) continue;
+            if (c == kPoseComponent || !std::isfinite(distances[c])) continue;
             sum[c] += distances[c];
             square_sum[c] += distances[c] * distances[c];
             count[c] += 1.0;

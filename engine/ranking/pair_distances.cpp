@@ -4,51 +4,62 @@
 #include <cassert>
 #include <limits>
 
-#include "engine/matching/pose_distance.h"
-
 namespace ossuary::ranking {
+namespace {
+
+/// The distance by one global descriptor; infinite where a model has none.
+double distance_by(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b,
+                   std::size_t place, double pose = 1.0) {
+    if (a.globals.size() <= place || b.globals.size() <= place) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return descriptor::global_distance(a.globals[place], b.globals[place],
+                                       descriptor::kGlobalDescriptorKinds[place], pose);
+}
+
+}  // namespace
 
 std::string_view component_name(std::size_t component) {
     assert(component < kComponentCount);
+    if (component == kBuildComponent) return "build";
+    if (component == kPoseComponent) return "pose";
     return component == 0 ? "skeleton" : descriptor::kGlobalDescriptorKinds[component - 1].name;
 }
 
-double PairMeter::pose_weight() const {
-    constexpr double kNone = kDefaultPose;
-    constexpr double kFull = 2.0;
-    return kFull * std::max(0.0, skeleton_options_.pose - kNone) / (1.0 - kNone);
+double build_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
+    // Each over its mean over many kinds.
+    constexpr double kThickness = 2.0 / 1900.0;
+    constexpr double kThicknessPairs = 1.0 / 4000.0;
+    constexpr double kSkeletonPairs = 0.7 / 3000.0;
+    constexpr double kBuildAlone = 0.0;
+    return kThickness * distance_by(a, b, descriptor::kThicknessPlace) +
+           kThicknessPairs * distance_by(a, b, descriptor::kThicknessPairsPlace) +
+           kSkeletonPairs * distance_by(a, b, descriptor::kSkeletonPairsPlace, kBuildAlone);
 }
 
-double PairMeter::skeleton(const descriptor::ModelDescriptor& a,
-                           const descriptor::ModelDescriptor& b) {
-    const double weight = pose_weight();
-    if (weight <= 0.0) {
-        return matching::skeleton_distance(a.skeleton, b.skeleton, skeleton_options_,
-                                           skeleton_workspace_);
-    }
-    const matching::Match match =
-        matching::match_skeletons(a.skeleton, b.skeleton, skeleton_options_, stop_);
-    return match.distance +
-           weight * matching::pose_distance(a.skeleton, b.skeleton, match.correspondence, stop_);
+double pose_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
+    return distance_by(a, b, descriptor::kPosePointsPlace);
 }
 
 ComponentValues PairMeter::components(const descriptor::ModelDescriptor& a,
                                       const descriptor::ModelDescriptor& b) {
-    ComponentValues values = global_components(a, b);
-    values[0] = skeleton(a, b);
+    ComponentValues values = cheap_components(a, b);
+    if (stop_.stop_requested()) return values;
+    if (pose_ > 0.0 && pose_ < 1.0) {
+        values[0] = matching::skeleton_distance(a.skeleton, b.skeleton, skeleton_options_,
+                                                skeleton_workspace_);
+    }
+    if (pose_ > kDefaultPose) values[kPoseComponent] = pose_distance(a, b);
     return values;
 }
 
-ComponentValues PairMeter::global_components(const descriptor::ModelDescriptor& a,
-                                             const descriptor::ModelDescriptor& b) const {
+ComponentValues PairMeter::cheap_components(const descriptor::ModelDescriptor& a,
+                                            const descriptor::ModelDescriptor& b) const {
     ComponentValues values{};
-    for (std::size_t c = 1; c < components_; ++c) {
-        const bool both = a.globals.size() >= c && b.globals.size() >= c;
-        values[c] = both ? descriptor::global_distance(a.globals[c - 1], b.globals[c - 1],
-                                                       descriptor::kGlobalDescriptorKinds[c - 1],
-                                                       pose_share_)
-                         : std::numeric_limits<double>::infinity();
+    for (std::size_t c = 1; c < kBuildComponent; ++c) {
+        if (pose_ > 0.0 && pose_ < 1.0 && fuses(ranker_, c)) values[c] = distance_by(a, b, c - 1);
     }
+    values[kBuildComponent] = build_distance(a, b);
     return values;
 }
 

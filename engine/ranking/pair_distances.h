@@ -13,61 +13,57 @@
 
 namespace ossuary::ranking {
 
-/// What is fused: component 0 is the tree edit distance of the skeletons, the others are the global
-/// descriptors in the order of kGlobalDescriptorKinds. `skeleton` fuses the first three alone.
-inline constexpr std::size_t kComponentCount = 1 + descriptor::kGlobalDescriptorKinds.size();
+/// What is fused: component 0 is the tree edit distance of the skeletons, then come the global
+/// descriptors that tell kinds apart, in the order of kGlobalDescriptorKinds, of which `skeleton`
+/// fuses the first two alone; last the two measures that `--pose` goes between.
+inline constexpr std::size_t kBuildComponent = 1 + descriptor::kThicknessPlace;
+inline constexpr std::size_t kPoseComponent = kBuildComponent + 1;
+inline constexpr std::size_t kComponentCount = kPoseComponent + 1;
 using ComponentValues = std::array<double, kComponentCount>;
 inline constexpr std::size_t kSkeletonComponents = 3;
-/// How many components, from the first, a ranker fuses; 0 for one that fuses nothing.
-[[nodiscard]] constexpr std::size_t component_count(RankerKind ranker) {
-    switch (ranker) {
-        case RankerKind::kHybrid:
-            return kComponentCount;
-        case RankerKind::kSkeleton:
-            return kSkeletonComponents;
-        case RankerKind::kChainCode:
-            return 0;
-    }
-    return 0;
-}
-
-/// How far what bending changes counts: 1 from the default of RankOptions::pose on.
-[[nodiscard]] inline double pose_share(const RankOptions& options) {
-    return std::min(options.pose / kDefaultPose, 1.0);
+/// Whether a ranker fuses a component; `chain-code` fuses none.
+[[nodiscard]] constexpr bool fuses(RankerKind ranker, std::size_t component) {
+    if (ranker == RankerKind::kChainCode) return false;
+    return ranker == RankerKind::kHybrid || component < kSkeletonComponents ||
+           component >= kBuildComponent;
 }
 
 [[nodiscard]] std::string_view component_name(std::size_t component);
+
+/// How unlike two bodies are built, whatever their limbs do: their thicknesses, the pairs of them
+/// along the surface, and the pairs of points along the skeleton, in one number. 0 for equal ones,
+/// symmetric bit by bit.
+[[nodiscard]] double build_distance(const descriptor::ModelDescriptor& a,
+                                    const descriptor::ModelDescriptor& b);
+
+/// How differently two bodies stand, whatever they are: descriptor::pose_points_distance.
+[[nodiscard]] double pose_distance(const descriptor::ModelDescriptor& a,
+                                   const descriptor::ModelDescriptor& b);
 
 /// Measures pairs of models; one for each thread, because it owns the matchers' buffers. Once the
 /// options' `stop` asks, it returns soon, and what it returns means nothing.
 class PairMeter {
 public:
     explicit PairMeter(const RankOptions& options)
-        : components_(component_count(options.ranker)),
-          pose_share_(pose_share(options)),
+        : ranker_(options.ranker),
+          pose_(options.pose),
           stop_(options.stop),
           chain_code_workspace_(stop_),
-          skeleton_workspace_(stop_) {
-        skeleton_options_.pose = options.pose;
-    }
+          skeleton_workspace_(stop_) {}
 
     [[nodiscard]] double chain_code(const descriptor::ModelDescriptor& a,
                                     const descriptor::ModelDescriptor& b) {
         return matching::chain_code_distance(a.skeleton, b.skeleton, chain_code_options_,
                                              chain_code_workspace_);
     }
-    /// The tree edit distance and, beyond the default `pose`, how differently the two stand.
-    [[nodiscard]] double skeleton(const descriptor::ModelDescriptor& a,
-                                  const descriptor::ModelDescriptor& b);
-    /// Of pose_distance beside the tree edit distance: none up to the default `pose`, because it
-    /// says nothing of the class and costs as much as the tree edit distance.
-    [[nodiscard]] double pose_weight() const;
-    /// The components that the ranker fuses, each in its own unit; 0 for the others.
+    /// The components that the ranker fuses, each in its own unit; 0 for the others, and for those
+    /// that have no weight at the options' `pose`.
     [[nodiscard]] ComponentValues components(const descriptor::ModelDescriptor& a,
                                              const descriptor::ModelDescriptor& b);
-    /// The same without the first, which costs twenty times the others together: 0 in its place.
-    [[nodiscard]] ComponentValues global_components(const descriptor::ModelDescriptor& a,
-                                                    const descriptor::ModelDescriptor& b) const;
+    /// The same without the tree edit distance and the pose, which cost twenty and two hundred
+    /// times the others together: 0 in their places.
+    [[nodiscard]] ComponentValues cheap_components(const descriptor::ModelDescriptor& a,
+                                                   const descriptor::ModelDescriptor& b) const;
 
     [[nodiscard]] const matching::SkeletonMatchOptions& skeleton_options() const {
         return skeleton_options_;
@@ -77,8 +73,8 @@ public:
     }
 
 private:
-    std::size_t components_;
-    double pose_share_;
+    RankerKind ranker_;
+    double pose_;
     std::stop_token stop_;
     matching::ChainCodeMatchOptions chain_code_options_;
     matching::SkeletonMatchOptions skeleton_options_;

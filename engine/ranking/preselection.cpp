@@ -41,18 +41,21 @@ public:
           collection_(collection),
           normalization_(normalization),
           options_(options),
-          side_(fusion_side(query, query_scale(), options)) {}
+          cheap_options_(without_pose(options)),
+          scale_(query_scale()),
+          side_(fusion_side(query, scale_, options)),
+          cheap_side_(without_tree_edit(fusion_side(query, scale_, cheap_options_))) {}
 
     /// The query's distance to each model, by all components or by the cheap ones alone.
     void measure(std::vector<RankedModel>& models, bool without_tree) const {
-        const FusionSide query_side = without_tree ? without_tree_edit(side_) : side_;
-        for_each_with_meter(models.size(), options_, [&](PairMeter& meter, std::size_t i) {
+        const RankOptions& options = without_tree ? cheap_options_ : options_;
+        for_each_with_meter(models.size(), options, [&](PairMeter& meter, std::size_t i) {
             const descriptor::ModelDescriptor& model = *collection_[models[i].index];
-            const FusionSide own = side_of(models[i].index);
-            models[i].distance =
-                without_tree ? fused_distance(meter.global_components(query_, model), query_side,
-                                              without_tree_edit(own))
-                             : fused_distance(meter.components(query_, model), query_side, own);
+            const FusionSide own = side_of(models[i].index, options);
+            models[i].distance = without_tree
+                                     ? fused_distance(meter.cheap_components(query_, model),
+                                                      cheap_side_, without_tree_edit(own))
+                                     : fused_distance(meter.components(query_, model), side_, own);
         });
     }
 
@@ -63,12 +66,12 @@ public:
         const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
             PairMeter meter(options_);
             const std::size_t own = models[i].index;
-            const FusionSide side = side_of(own);
+            const FusionSide side = side_of(own, options_);
             std::vector<double> row(others.size());
             for (std::size_t k = 0; k < others.size() && !options_.stop.stop_requested(); ++k) {
                 const std::size_t index = models[others[k]].index;
                 row[k] = fused_distance(meter.components(*collection_[own], *collection_[index]),
-                                        side, side_of(index));
+                                        side, side_of(index, options_));
             }
             return row;
         };
@@ -82,15 +85,23 @@ private:
         if (const ModelScale* own = normalization_.find(query_)) return *own;
         const std::vector<std::size_t> references = reference_models(collection_.size());
         std::vector<ComponentValues> row(references.size());
-        for_each_with_meter(references.size(), options_, [&](PairMeter& meter, std::size_t i) {
-            row[i] = meter.components(query_, *collection_[references[i]]);
-        });
+        for_each_with_meter(references.size(), cheap_options_,
+                            [&](PairMeter& meter, std::size_t i) {
+                                row[i] = meter.components(query_, *collection_[references[i]]);
+                            });
         return scale_of_row(row, normalization_.pooled());
     }
 
-    [[nodiscard]] FusionSide side_of(std::size_t index) const {
+    [[nodiscard]] FusionSide side_of(std::size_t index, const RankOptions& options) const {
         const descriptor::ModelDescriptor& model = *collection_[index];
-        return fusion_side(model, normalization_.scale(model), options_);
+        return fusion_side(model, normalization_.scale(model), options);
+    }
+
+    /// The pose costs too much to be measured before the finalists are known: those are models of
+    /// the query's kind, among which the pose then decides.
+    static RankOptions without_pose(RankOptions options) {
+        options.pose = std::min(options.pose, kDefaultPose);
+        return options;
     }
 
     /// The pairs of the skeleton's points stand in for the tree edit distance.
@@ -104,7 +115,9 @@ private:
     DescriptorSpan collection_;
     const Normalization& normalization_;
     const RankOptions& options_;
-    FusionSide side_;
+    RankOptions cheap_options_;
+    ModelScale scale_;
+    FusionSide side_, cheap_side_;
 };
 
 Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query,

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/core/parallel.h"
-#include "engine/matching/pose_distance.h"
 #include "engine/ranking/cancelled.h"
 #include "engine/ranking/each_with_meter.h"
 #include "engine/ranking/fusion.h"
@@ -120,12 +119,6 @@ matching::Match explain_whole(const descriptor::ModelDescriptor& query,
     }
     matching::Match match = matching::match_skeletons(query.skeleton, other.skeleton,
                                                       meter.skeleton_options(), options.stop);
-    if (const double weight = meter.pose_weight(); weight > 0.0) {
-        const double pose = weight * matching::pose_distance(query.skeleton, other.skeleton,
-                                                             match.correspondence, options.stop);
-        match.parts.push_back({"pose", pose});
-        match.distance += pose;
-    }
     const Normalization normalization(statistics);
     const FusionSide a = fusion_side(query, normalization.scale(query), options);
     const FusionSide b = fusion_side(other, normalization.scale(other), options);
@@ -133,11 +126,17 @@ matching::Match explain_whole(const descriptor::ModelDescriptor& query,
     const ComponentValues parts = fused_parts(distances, a, b);
     std::vector<matching::DistancePart> named;
     if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
-    for (std::size_t c = named.size() > 0 ? 1 : 0; c < component_count(options.ranker); ++c) {
+    for (std::size_t c = named.size() > 0 ? 1 : 0; c < kComponentCount; ++c) {
+        if (!fuses(options.ranker, c)) continue;
         named.push_back({std::string(component_name(c)), parts[c]});
     }
     match.parts = std::move(named);
     match.distance = fused_distance(distances, a, b);
+    const auto over_mean = [&](double distance, std::size_t component) {
+        return distance * (0.5 / a.scale.mean[component] + 0.5 / b.scale.mean[component]);
+    };
+    match.build = over_mean(build_distance(query, other), kBuildComponent);
+    match.pose = over_mean(pose_distance(query, other), kPoseComponent);
     return match;
 }
 

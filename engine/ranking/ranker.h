@@ -27,8 +27,10 @@ inline constexpr double kDefaultPose = 0.15;
 
 struct RankOptions {
     RankerKind ranker = RankerKind::kHybrid;
-    double pose = kDefaultPose;  ///< in [0, 1]: 0 = build only, 1 = pose decides among equals
-    bool rerank = false;         ///< unsupervised re-ranking over the collection
+    /// In [0, 1]: 0 = build alone, 1 = pose alone, the default what tells kinds apart best. Between
+    /// these the weights go over linearly. `chain-code` knows no pose.
+    double pose = kDefaultPose;
+    bool rerank = false;  ///< unsupervised re-ranking over the collection
     /// The query is looked for as a part of each model (match_part.h), by skeletons alone, whatever
     /// the ranker; not together with `rerank`.
     bool part = false;
@@ -79,11 +81,11 @@ Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
                                        const RankOptions& options = {});
 
 /// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
-/// normalised shares of each descriptor, for `skeleton` those of the tree edit distance, of the
-/// pairs of points and of their layout; the correspondence is that of the tree edit distance.
-/// `rerank` is not a matter of one pair and is ignored; a query that the statistics do not know is
-/// judged by the pooled scale, so its distance may differ a little from that of rank_distances.
-/// Errors: cancelled.
+/// normalised shares of each descriptor, of build and of pose, for `skeleton` those of the tree
+/// edit distance, of the pairs of points and of their layout, of build and of pose; the
+/// correspondence is that of the tree edit distance. `rerank` is not a matter of one pair and is
+/// ignored; a query that the statistics do not know is judged by the pooled scale, so its distance
+/// may differ a little from that of rank_distances. Errors: cancelled.
 Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
                                 const descriptor::ModelDescriptor& other,
                                 const CollectionStatistics& statistics,

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "engine/core/whole_file.h"
 #include "engine/ranking/classification.h"
+#include "index/build_and_pose.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
@@ -22,6 +25,8 @@ constexpr std::size_t kPosesOfAClass = 5;
 struct Options {
     std::string index_path;
     std::string classes_path;
+    std::string build_classes_path;
+    std::string pose_classes_path;
     std::string matrix_path;
     std::string report_folder;
     RankingOptions ranking;
@@ -102,7 +107,118 @@ Result<void> write_reports(const Options& options, const Session& session, index
     return {};
 }
 
+void print_build_and_pose(const index::BuildAndPose& evaluation) {
+    std::cout << terminal_format("{}{}: {} models of {} builds in {} poses\n",
+                                 to_string(evaluation.ranker),
+                                 evaluation.rerank ? " with re-ranking" : "", evaluation.models,
+                                 evaluation.builds, evaluation.poses);
+    Table table({{"pose", Align::kRight},
+                 {"build: NN", Align::kRight},
+                 {"first tier", Align::kRight},
+                 {"among other poses: NN", Align::kRight},
+                 {"first tier", Align::kRight},
+                 {"pose: NN", Align::kRight},
+                 {"first tier", Align::kRight},
+                 {"among other builds: NN", Align::kRight},
+                 {"first tier", Align::kRight}});
+    for (const index::BuildAndPose::Point& point : evaluation.curve) {
+        std::vector<std::string> cells = {fmt::format("{:.2f}", point.weight)};
+        for (const index::BuildAndPose::Question* question : {&point.build, &point.pose}) {
+            for (const ranking::AmongOthers* found : {&question->all, &question->others}) {
+                cells.push_back(fmt::format("{:.3f}", found->nearest_neighbor));
+                cells.push_back(fmt::format("{:.3f}", found->first_tier));
+            }
+        }
+        table.add_row(std::move(cells));
+    }
+    std::cout << table.text();
+    for (const std::string& id : evaluation.missing) {
+        std::cout << terminal_format("not in the index: {}\n", id);
+    }
+}
+
+Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& options,
+                                                            const Session& session,
+                                                            const index::Snapshot& snapshot) {
+    const Result<std::vector<ranking::RankOptions>> ranks =
+        options.ranking.rank_options(session.jobs);
+    if (!ranks.ok()) return ranks.error();
+    Result<ranking::Classification> builds =
+        ranking::read_classification(options.build_classes_path);
+    if (!builds.ok()) return builds.error();
+    Result<ranking::Classification> poses = ranking::read_classification(options.pose_classes_path);
+    if (!poses.ok()) return poses.error();
+    index::BuildAndPoseOptions asked{*std::move(builds), *std::move(poses), {}};
+    std::vector<index::BuildAndPose> evaluations;
+    for (const ranking::RankOptions& rank : *ranks) {
+        asked.rank = rank;
+        Result<index::BuildAndPose> evaluation = index::evaluate_build_and_pose(snapshot, asked);
+        if (!evaluation.ok()) return evaluation.error();
+        evaluations.push_back(*std::move(evaluation));
+    }
+    return evaluations;
+}
+
+/// The curves as values, and in the page that shows like poses.
+Result<void> write_build_and_pose(const Options& options, const Session& session,
+                                  index::Store& store, const index::Snapshot& snapshot,
+                                  const std::vector<index::BuildAndPose>& evaluations) {
+    Result<ranking::Classification> builds =
+        ranking::read_classification(options.build_classes_path);
+    if (!builds.ok()) return builds.error();
+    const auto models = index::classified_models(snapshot, *builds);
+    if (!models.ok()) return models.error();
+    index::Evaluation shown;
+    shown.labels = models->labels;
+    for (const std::size_t position : models->positions) {
+        shown.order.push_back(snapshot.models()[position].id);
+    }
+    const auto examples = index::pose_examples(snapshot, shown, kPosesOfAClass, session.jobs);
+    const auto page = index::write_pose_gallery(options.report_folder, store, examples,
+                                                index::build_and_pose_svg(evaluations));
+    if (!page.ok()) return page.error();
+    std::cerr << terminal_format("curves and models in like poses in {}/poses.html\n",
+                                 options.report_folder);
+    return write_whole_file(std::filesystem::path(options.report_folder) / "build-and-pose.csv",
+                            index::build_and_pose_csv(evaluations));
+}
+
+Result<ExitCode> run_build_and_pose(const Options& options, const Session& session) {
+    if (options.build_classes_path.empty() || options.pose_classes_path.empty()) {
+        return {ErrorCode::kInvalidArgument,
+                "--build-classes and --pose-classes: name both or neither"};
+    }
+    if (!options.classes_path.empty() || !options.matrix_path.empty()) {
+        return {ErrorCode::kInvalidArgument,
+                "--build-classes: not together with --classes or --matrix"};
+    }
+    Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
+    if (!searcher.ok()) return searcher.error();
+    const auto snapshot = searcher->snapshot();
+    if (!snapshot.ok()) return snapshot.error();
+    const auto evaluations = ask_build_and_pose(options, session, **snapshot);
+    if (!evaluations.ok()) return evaluations.error();
+    if (!options.report_folder.empty()) {
+        const auto written =
+            write_build_and_pose(options, session, searcher->store(), **snapshot, *evaluations);
+        if (!written.ok()) return written.error();
+    }
+    if (!session.json) {
+        for (const index::BuildAndPose& evaluation : *evaluations) print_build_and_pose(evaluation);
+    } else if (evaluations->size() == 1) {
+        print_json(index::to_json(evaluations->front()));
+    } else {
+        nlohmann::json list = nlohmann::json::array();
+        for (const auto& evaluation : *evaluations) list.push_back(index::to_json(evaluation));
+        print_json(list);
+    }
+    return ExitCode::kDone;
+}
+
 Result<ExitCode> run(const Options& options, const Session& session) {
+    if (!options.build_classes_path.empty() || !options.pose_classes_path.empty()) {
+        return run_build_and_pose(options, session);
+    }
     if (!options.matrix_path.empty() && options.ranking.rankers.size() > 1) {
         return {ErrorCode::kInvalidArgument, "--matrix holds one ranker's distances: name one"};
     }
@@ -146,6 +262,15 @@ void add_evaluate(CLI::App& app, Session& session) {
         ->add_option("--classes", options->classes_path,
                      "Evaluate the models that this .cla names, with its classes "
                      "(default: all models, with the classes of the index)")
+        ->type_name("FILE");
+    command
+        ->add_option("--build-classes", options->build_classes_path,
+                     "Instead: how well the same body is found, whose models this .cla names, and "
+                     "the same pose, at several weights of --pose")
+        ->type_name("FILE");
+    command
+        ->add_option("--pose-classes", options->pose_classes_path,
+                     "The poses of these models, a class each")
         ->type_name("FILE");
     options->ranking.add_to(*command, RankingOptions::Count::kSeveral, true);
     command

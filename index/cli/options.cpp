@@ -74,7 +74,8 @@ void RankingOptions::add_to(CLI::App& command, Count count, bool with_rerank) {
     }
     command
         .add_option("--pose", pose,
-                    "Weight of pose against build: 0 = build only, 1 = pose decides among equals")
+                    "0 = how it is built alone, 1 = how it stands alone; the default tells kinds "
+                    "apart best")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     if (with_rerank) {

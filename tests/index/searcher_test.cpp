@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "engine/mesh/read_mesh.h"
+#include "index/build_and_pose.h"
 #include "index/evaluation.h"
 #include "index/indexer.h"
 #include "index/pose_gallery.h"
@@ -234,10 +235,15 @@ TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
     EXPECT_EQ(json["query"]["skeleton"]["unit"], "model");
     EXPECT_TRUE(json["stages_ms"].contains("voxelize"));
     const nlohmann::json& hit = json["hits"][0];
-    for (const char* field :
-         {"rank", "id", "name", "class", "distance", "parts", "matched_nodes", "match"}) {
+    for (const char* field : {"rank", "id", "name", "class", "distance", "parts",
+                              "build_difference", "pose_difference", "matched_nodes", "match"}) {
         EXPECT_TRUE(hit.contains(field)) << field;
     }
+    EXPECT_EQ(hit["build_difference"], 0.0);
+    EXPECT_EQ(hit["pose_difference"], 0.0);
+    EXPECT_GT(json["hits"][1]["build_difference"].get<double>(), 0.0);
+    EXPECT_TRUE(hit["parts"].contains("build"));
+    EXPECT_TRUE(hit["parts"].contains("pose"));
     EXPECT_EQ(hit["class"], "tree");
     const nlohmann::json& skeleton = json["query"]["skeleton"];
     ASSERT_FALSE(skeleton["branches"].empty());
@@ -368,6 +374,53 @@ TEST_F(SearcherTest, ShowsModelsBesideTheNearestOfTheirClassByBuildAndByPose) {
     const fs::path out = folder_->path() / "report";
     ASSERT_TRUE(write_pose_gallery(out, searcher.store(), examples));
     EXPECT_EQ(test::read_file(out / "poses.html"), *html);
+}
+
+TEST_F(SearcherTest, MeasuresBuildAndPoseAtSeveralWeights) {
+    const fs::path copy = folder_->path() / "builds.index";
+    fs::copy_file(index(), copy, fs::copy_options::overwrite_existing);
+    auto store = Store::open(copy, Access::kReadWrite);
+    std::vector<Change> moves;
+    for (ModelId id = 1; id <= 9; ++id) {
+        const std::string name = std::to_string(id);
+        moves.push_back(MoveModel{id, "/m/" + name + ".off", name, std::nullopt});
+    }
+    ASSERT_TRUE(store->apply(moves));
+    const auto snapshot = *Snapshot::load(*store);
+    BuildAndPoseOptions options;
+    options.rank.pose = 0.4;
+    options.build = *ranking::parse_classification(
+        "PSB 1\n3 9\nx 0 3\n1\n4\n7\ny 0 3\n2\n5\n8\nz 0 3\n3\n6\n99\n", "b.cla");
+    options.pose =
+        *ranking::parse_classification("PSB 1\n2 4\nup 0 2\n1\n2\ndown 0 2\n4\n5\n", "p.cla");
+    const auto measured = evaluate_build_and_pose(*snapshot, options);
+    ASSERT_TRUE(measured) << measured.error().message;
+    EXPECT_EQ(measured->models, 8U);
+    EXPECT_EQ(measured->builds, 3U);
+    EXPECT_EQ(measured->poses, 2U);
+    EXPECT_EQ(measured->missing, (std::vector<std::string>{"99"}));
+    ASSERT_EQ(measured->curve.size(), 9U);
+    EXPECT_EQ(measured->curve.front().weight, 0.0);
+    EXPECT_EQ(measured->curve.back().weight, 1.0);
+    for (const BuildAndPose::Point& point : measured->curve) {
+        EXPECT_EQ(point.build.all.queries, 8U);
+        EXPECT_EQ(point.pose.all.queries, 4U);
+        // Each pose is there once for each of two bodies.
+        EXPECT_EQ(point.pose.others.queries, 4U);
+    }
+    const nlohmann::json json = to_json(*measured);
+    EXPECT_EQ(json["curve"][5]["weight"], 0.4);
+    EXPECT_TRUE(json["curve"][0]["build"]["among_other_poses"].contains("first_tier"));
+    EXPECT_TRUE(json["curve"][0]["pose"]["among_other_builds"].contains("nearest_neighbor"));
+    const std::string csv = build_and_pose_csv({&*measured, 1});
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 9);
+    EXPECT_NE(build_and_pose_svg({&*measured, 1}).find("<polyline"), std::string::npos);
+
+    options.rank.ranker = ranking::RankerKind::kChainCode;
+    EXPECT_EQ(evaluate_build_and_pose(*snapshot, options)->curve.size(), 1U);
+    options.pose = *ranking::parse_classification("PSB 1\n1 1\nx 0 1\n500\n", "p.cla");
+    EXPECT_EQ(evaluate_build_and_pose(*snapshot, options).error().code,
+              ErrorCode::kClaUnknownModel);
 }
 
 TEST_F(SearcherTest, KeepsEvaluationsUntilTheIndexChanges) {

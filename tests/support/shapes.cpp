@@ -107,8 +107,7 @@ std::vector<Capsule> tree_capsules(double scale) {
     return capsules;
 }
 
-VolumeShape capsule_tree(double scale) {
-    const auto capsules = tree_capsules(scale);
+voxel::BitVolume capsule_volume(const std::vector<Capsule>& capsules) {
     Box3 bounds;
     for (const Capsule& c : capsules) {
         for (const Vec3& end : {c.a, c.b}) {
@@ -116,15 +115,15 @@ VolumeShape capsule_tree(double scale) {
             bounds.extend(Vec3(end.array() + c.radius));
         }
     }
-    return {"capsule_tree",
-            sample_volume(bounds,
-                          [&](const Vec3& p) {
-                              return std::any_of(
-                                  capsules.begin(), capsules.end(), [&](const Capsule& c) {
-                                      return distance_to_segment(p, c.a, c.b) <= c.radius;
-                                  });
-                          }),
-            {1, 0, 0}};
+    return sample_volume(bounds, [&](const Vec3& p) {
+        return std::any_of(capsules.begin(), capsules.end(), [&](const Capsule& c) {
+            return distance_to_segment(p, c.a, c.b) <= c.radius;
+        });
+    });
+}
+
+VolumeShape capsule_tree(double scale) {
+    return {"capsule_tree", capsule_volume(tree_capsules(scale)), {1, 0, 0}};
 }
 
 VolumeShape trefoil_knot(double scale, double tube) {

@@ -44,6 +44,7 @@ struct Capsule {
     Vec3 b;
     double radius;
 };
+voxel::BitVolume capsule_volume(const std::vector<Capsule>& capsules);
 /// The parts of `capsule_tree` and `capsule_tree_mesh`.
 std::vector<Capsule> tree_capsules(double scale = 1.0);
 

@@ -84,6 +84,8 @@ export function hit(rank: number, fields: Partial<Hit> = {}): Hit {
         class: 'chair',
         distance: rank / 10,
         parts: { skeleton: rank / 20, moments: rank / 20 },
+        build_difference: 0.4,
+        pose_difference: 0.8,
         matched_nodes: 2,
         match: {
             nodes: [{ a: 0, b: 0, cost: 0.1 }],

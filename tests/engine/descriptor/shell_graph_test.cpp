@@ -40,7 +40,7 @@ TEST(ShellGraph, MeasuresHalfAGreatCircleOnABall) {
 TEST(ShellGraph, AveragesAQuarterCircleOnABall) {
     // The mean over the sphere of the distance from any point is a quarter circle.
     const ShellGraph graph = shell_graph(solid_surface(test::ball(30.0).volume), 3);
-    for (const float average : average_geodesic_distances(graph, 16)) {
+    for (const float average : average_geodesic_distances(graph, spread_distances(graph, 16), 16)) {
         EXPECT_NEAR(average / (0.5 * std::numbers::pi * 30.0), 1.0, 0.12);
     }
 }
@@ -48,7 +48,8 @@ TEST(ShellGraph, AveragesAQuarterCircleOnABall) {
 TEST(ShellGraph, AveragesMostAtTheEndsOfABar) {
     const voxel::BitVolume volume = test::bar({6, 6, 100}).volume;
     const ShellGraph graph = shell_graph(solid_surface(volume), 3);
-    const std::vector<float> average = average_geodesic_distances(graph, 16);
+    const std::vector<float> average =
+        average_geodesic_distances(graph, spread_distances(graph, 16), 16);
     const auto [least, most] = std::minmax_element(average.begin(), average.end());
     // A line of length l averages l / 4 from its middle, l / 2 from its ends.
     EXPECT_NEAR(*most / *least, 2.0, 0.25);
@@ -68,7 +69,7 @@ TEST(ShellGraph, TakesStraightDistancesBetweenPiecesThatDoNotTouch) {
         }
     }
     const ShellGraph graph = shell_graph(solid_surface(volume), 3);
-    for (const float average : average_geodesic_distances(graph, 16)) {
+    for (const float average : average_geodesic_distances(graph, spread_distances(graph, 16), 16)) {
         EXPECT_TRUE(std::isfinite(average));
         EXPECT_GT(average, 20.0F);  // half of all lies 46 voxels off
     }
@@ -77,7 +78,7 @@ TEST(ShellGraph, TakesStraightDistancesBetweenPiecesThatDoNotTouch) {
 TEST(ShellGraph, CopesWithNothing) {
     const ShellGraph graph = shell_graph({}, 3);
     EXPECT_TRUE(graph.empty());
-    EXPECT_TRUE(average_geodesic_distances(graph, 16).empty());
+    EXPECT_TRUE(average_geodesic_distances(graph, spread_distances(graph, 16), 16).empty());
 }
 
 TEST(ShapeDiameter, IsThatOfTheBody) {

@@ -6,8 +6,8 @@ namespace ossuary::ranking {
 namespace {
 
 /// What a collection of many kinds says.
-constexpr ModelScale kScale = {{0.5, 2900.0, 2100.0, 16800.0, 218000.0, 4330.0, 6140.0},
-                               {0.07, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0}};
+constexpr ModelScale kScale = {{0.5, 2900.0, 2100.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.0, 0.4},
+                               {0.07, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.0, 0.1}};
 
 /// A body of three limbs from one node.
 descriptor::ModelDescriptor a_model() {
@@ -36,10 +36,17 @@ TEST(Fusion, IsZeroForEqualModelsAlone) {
     for (const RankerKind ranker : {RankerKind::kSkeleton, RankerKind::kHybrid}) {
         const FusionSide one = side(ranker);
         EXPECT_EQ(fused_distance({}, one, one), 0.0);
-        for (std::size_t c = 0; c < component_count(ranker); ++c) {
+        const FusionSide build = side(ranker, 0.0), pose = side(ranker, 1.0);
+        for (std::size_t c = 0; c < kComponentCount; ++c) {
+            if (!fuses(ranker, c)) continue;
             ComponentValues distances{};
             distances[c] = 0.01 * kScale.mean[c];
-            EXPECT_GT(fused_distance(distances, one, one), 0.0) << component_name(c);
+            EXPECT_EQ(fused_distance(distances, one, one) > 0.0, c < kBuildComponent)
+                << component_name(c);
+            EXPECT_EQ(fused_distance(distances, build, build) > 0.0, c == kBuildComponent)
+                << component_name(c);
+            EXPECT_EQ(fused_distance(distances, pose, pose) > 0.0, c == kPoseComponent)
+                << component_name(c);
         }
     }
 }
@@ -75,16 +82,26 @@ TEST(Fusion, NeverFallsWhereADistanceGrows) {
     }
 }
 
-TEST(Fusion, TakesNoNoticeOfTheLayoutWithoutPose) {
-    constexpr std::size_t kLayout = 2;
-    ASSERT_EQ(component_name(kLayout), "skeleton_layout");
-    const ComponentValues near = shares_of_mean({0.5, 0.1, 0.05, 0.2, 0.4, 0.4, 0.4});
-    ComponentValues far = near;
-    far[kLayout] = kScale.mean[kLayout];
+TEST(Fusion, GoesFromBuildAloneOverKindsToPoseAlone) {
+    // One pair differs by build alone, one by pose alone: the more pose counts, the further away is
+    // the latter and the nearer the former.
+    ComponentValues other_build = shares_of_mean({0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.9, 0.2});
+    ComponentValues other_pose = shares_of_mean({0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.2, 0.9});
     for (const RankerKind ranker : {RankerKind::kSkeleton, RankerKind::kHybrid}) {
-        const FusionSide build = side(ranker, 0.0), both = side(ranker);
-        EXPECT_EQ(fused_distance(near, build, build), fused_distance(far, build, build));
-        EXPECT_LT(fused_distance(near, both, both), fused_distance(far, both, both));
+        double before = -1.0;
+        for (const double pose : {0.0, 0.05, 0.1, 0.15, 0.3, 0.5, 0.75, 1.0}) {
+            const FusionSide one = side(ranker, pose);
+            const double ratio =
+                fused_distance(other_pose, one, one) / fused_distance(other_build, one, one);
+            EXPECT_GE(ratio, before) << "at " << pose;
+            before = ratio;
+        }
+        const FusionSide build = side(ranker, 0.0), pose = side(ranker, 1.0);
+        ComponentValues changed = other_build;
+        for (std::size_t c = 0; c < kBuildComponent; ++c) changed[c] *= 1.7;
+        EXPECT_EQ(fused_distance(changed, pose, pose), fused_distance(other_build, pose, pose));
+        changed[kPoseComponent] *= 1.7;
+        EXPECT_EQ(fused_distance(changed, build, build), fused_distance(other_build, build, build));
     }
 }
 

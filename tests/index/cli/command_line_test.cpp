@@ -259,6 +259,33 @@ TEST_F(CommandLineTest, EvaluatePrintsTheFixedFieldsAndWritesMatrixAndReport) {
     EXPECT_THAT(read_file(path("report/report.html")), HasSubstr("<svg"));
 }
 
+TEST_F(CommandLineTest, EvaluateAsksForTheSameBuildAndTheSamePose) {
+    ASSERT_EQ(build_index().exit_status, 0);
+    const std::string classes = write_classes();
+    const ProgramResult result =
+        run({"evaluate", "--index", index_file(), "--build-classes", classes, "--pose-classes",
+             classes, "--ranker", "skeleton,chain-code", "--out", path("asked"), "--json"});
+    ASSERT_EQ(result.exit_status, 0) << result.err;
+    const nlohmann::json document = result.json();
+    ASSERT_EQ(document.size(), 2);
+    EXPECT_EQ(document[0].at("models"), kModels);
+    EXPECT_EQ(document[0].at("curve").size(), 8);
+    EXPECT_EQ(document[1].at("curve").size(), 1);
+    EXPECT_THAT(read_file(path("asked/poses.html")), HasSubstr("<polyline"));
+    EXPECT_THAT(read_file(path("asked/build-and-pose.csv")), HasSubstr("skeleton,0,0.15,build,"));
+
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--build-classes", classes},
+          {"--build-classes", classes, "--pose-classes", classes, "--classes", classes},
+          {"--build-classes", classes, "--pose-classes", classes, "--matrix", path("m")}}) {
+        std::vector<std::string> arguments = {"evaluate", "--index", index_file()};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProgramResult refused = run(arguments);
+        EXPECT_NE(refused.exit_status, 0);
+        EXPECT_THAT(refused.err, HasSubstr("--build-classes"));
+    }
+}
+
 TEST_F(CommandLineTest, ThinKeepsTopologyAndRefusesWhatIsNoVolume) {
     // A solid 3x3x9 bar inside a margin of one, as NumPy writes it.
     std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (11, 5, 5), }";

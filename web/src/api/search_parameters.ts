@@ -4,7 +4,7 @@ import type { Ranker } from './types';
 /** What a search may be asked for; the same names in the page's address and in the request. */
 export interface SearchParameters {
     ranker: Ranker;
-    /** 0: build alone (lengths, thickness); 1: pose (directions) decides among equals. */
+    /** 0: build alone, whatever limbs do; 1: pose alone, whatever the body; between: kinds. */
     pose: number;
     rerank: boolean;
     limit: number;

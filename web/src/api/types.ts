@@ -562,6 +562,10 @@ export interface components {
         Parts: {
             [key: string]: number;
         };
+        /** @description How unlike the two are built, whatever their limbs do: 0 the same, 1 as two models usually are. Null for `chain-code` and for parts. */
+        BuildDifference: number | null;
+        /** @description How differently the two stand, whatever they are: 0 the same, 1 as two models usually do. Null for `chain-code` and for parts. */
+        PoseDifference: number | null;
         Hit: {
             rank: number;
             id: components["schemas"]["Id"];
@@ -569,6 +573,8 @@ export interface components {
             class: string | null;
             distance: number;
             parts: components["schemas"]["Parts"];
+            build_difference: components["schemas"]["BuildDifference"];
+            pose_difference: components["schemas"]["PoseDifference"];
             /** @description Matched pairs of nodes. */
             matched_nodes: number;
             match: components["schemas"]["Match"];
@@ -606,6 +612,8 @@ export interface components {
             part: boolean;
             distance: number;
             parts: components["schemas"]["Parts"];
+            build_difference: components["schemas"]["BuildDifference"];
+            pose_difference: components["schemas"]["PoseDifference"];
             matched_nodes: number;
             match: components["schemas"]["Match"];
             skeletons: {
@@ -840,7 +848,7 @@ export interface components {
         /** @description How distances are measured. */
         Ranker: components["schemas"]["Ranker"];
         RankerInPath: components["schemas"]["Ranker"];
-        /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+        /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
         Pose: number;
         /** @description Only models of this class. */
         Class: string;
@@ -896,6 +904,8 @@ export type Segments = components['schemas']['Segments'];
 export type Match = components['schemas']['Match'];
 export type Pair = components['schemas']['Pair'];
 export type Parts = components['schemas']['Parts'];
+export type BuildDifference = components['schemas']['BuildDifference'];
+export type PoseDifference = components['schemas']['PoseDifference'];
 export type Hit = components['schemas']['Hit'];
 export type SearchResult = components['schemas']['SearchResult'];
 export type Comparison = components['schemas']['Comparison'];
@@ -938,7 +948,7 @@ export interface operations {
                 limit?: components["parameters"]["Limit"];
                 /** @description How distances are measured. */
                 ranker?: components["parameters"]["Ranker"];
-                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
@@ -1152,7 +1162,7 @@ export interface operations {
                 limit?: components["parameters"]["Limit"];
                 /** @description How distances are measured. */
                 ranker?: components["parameters"]["Ranker"];
-                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
@@ -1342,7 +1352,7 @@ export interface operations {
                 b: components["schemas"]["Id"];
                 /** @description How distances are measured. */
                 ranker?: components["parameters"]["Ranker"];
-                /** @description From 0 (how a model is built decides) to 1 (how it stands decides). */
+                /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
                 /**
                  * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons

@@ -1,12 +1,15 @@
 import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
+import { differenceBars, type LikeHit, likeHitLinks } from './build_and_pose';
 import { partsBar } from './distance_parts';
 import { thumbnail } from './thumbnail';
 
 export interface HitCardOptions {
     /** Where the 3D comparison with the query is. */
     href: string;
+    /** Where searches from the hit itself are. */
+    like: LikeHit;
     partNames: readonly string[];
     /** The distance that fills the bar. */
     longest: number;
@@ -40,6 +43,8 @@ export function hitCard(hit: Hit, options: HitCardOptions): HTMLElement {
                 ),
             ),
             partsBar(hit.parts, options.partNames, length),
+            differenceBars(hit),
         ),
+        likeHitLinks(hit, options.like),
     );
 }

@@ -3,6 +3,7 @@ import type { SearchParameters } from '../api/search_parameters';
 import type { Hit, SearchResult } from '../api/types';
 import type { Context } from '../page/context';
 import { formatRoute, type Route, resultsOf } from '../page/routes';
+import type { LikeHit } from './build_and_pose';
 
 export type ResultsRoute = Extract<Route, { page: 'results' }>;
 
@@ -20,6 +21,13 @@ export function sameParameters(a: SearchParameters, b: SearchParameters): boolea
 /** Where the comparison with a hit is. */
 export function hrefOf({ query, parameters }: ResultsRoute, hit: Hit): string {
     return formatRoute(resultsOf(query, parameters, { kind: 'hit', id: hit.id }));
+}
+
+/** Where the searches by a hit's build alone and by its pose alone are. */
+export function likeHit({ parameters }: ResultsRoute, hit: Hit): LikeHit {
+    const at = (pose: number): string =>
+        formatRoute(resultsOf({ kind: 'model', id: hit.id }, { ...parameters, pose }));
+    return { build: at(0), pose: at(1) };
 }
 
 /** Null: the upload is gone, since the page was loaded anew. */

@@ -7,7 +7,14 @@ import { formatRoute, kHome, type Route, sameQuery } from '../page/routes';
 import { hitGrid } from './hit_grid';
 import { OverHits } from './over_hits';
 import { QuerySide } from './query_side';
-import { type Answer, ask, hrefOf, type ResultsRoute, sameParameters } from './results_answer';
+import {
+    type Answer,
+    ask,
+    hrefOf,
+    likeHit,
+    type ResultsRoute,
+    sameParameters,
+} from './results_answer';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
 
@@ -111,7 +118,11 @@ class ResultsPage implements Page {
         replace(
             this.body_,
             hits.length > 0
-                ? hitGrid(hits, (hit) => hrefOf(this.route_, hit))
+                ? hitGrid(
+                      hits,
+                      (hit) => hrefOf(this.route_, hit),
+                      (hit) => likeHit(this.route_, hit),
+                  )
                 : emptyNotice('No hits.', 'No other model of the collection fits the options.'),
         );
         this.context_.announce(`${formatPlural(hits.length, 'hit')} for ${query.name}`);

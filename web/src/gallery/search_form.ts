@@ -71,8 +71,8 @@ function poseField(pose: HTMLInputElement, value: HTMLOutputElement): HTMLElemen
         element(
             'span',
             { class: 'range-ends', 'aria-hidden': 'true' },
-            element('span', {}, 'how it is built'),
-            element('span', {}, 'how it stands'),
+            element('span', {}, 'built like it'),
+            element('span', {}, 'standing like it'),
         ),
     );
 }

@@ -6,6 +6,7 @@ import { hit } from '../sample';
 it('shows rank, name, class and distance and leads to the comparison', () => {
     const card = hitCard(hit(2, { name: 'camel', class: 'fourleg', distance: 0.1234 }), {
         href: '#/models/7/hits/102',
+        like: { build: '#b', pose: '#p' },
         partNames: ['skeleton', 'moments'],
         longest: 1,
     });
@@ -20,9 +21,26 @@ it('shows rank, name, class and distance and leads to the comparison', () => {
 it('draws no bar where all distances are zero', () => {
     const card = hitCard(hit(1, { distance: 0, parts: {} }), {
         href: '#',
+        like: { build: '#b', pose: '#p' },
         partNames: [],
         longest: 0,
     });
     const bar = card.querySelector<HTMLElement>('.parts-bar');
     expect(bar?.style.getPropertyValue('--length')).toBe('0.0000');
+});
+
+it('shows how far the hit is in build and in pose, and leads to its likes in either', () => {
+    const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [], longest: 1 };
+    const card = hitCard(hit(1, { build_difference: 0.4, pose_difference: 3 }), options);
+    const bars = [...card.querySelectorAll<HTMLElement>('.difference-bar')].map((bar) =>
+        Number(bar.style.getPropertyValue('--share')),
+    );
+    expect(bars).toEqual([0.2, 1]);
+    const links = [...card.querySelectorAll<HTMLElement>('.like-link')];
+    expect(links.map((link) => [link.textContent, link.getAttribute('href')])).toEqual([
+        ['Same build', '#b'],
+        ['Same pose', '#p'],
+    ]);
+    const unknown = hit(1, { build_difference: null, pose_difference: null });
+    expect(hitCard(unknown, options).querySelector('.differences')).toBeNull();
 });

@@ -5,8 +5,12 @@ import { hit } from '../sample';
 
 it('keeps the order of the hits, and measures the bars against the longest', () => {
     const hits = [hit(1, { distance: 0.2 }), hit(2, { distance: 0.4 }), hit(3, { distance: 0.8 })];
-    const grid = hitGrid(hits, ({ id }) => `#${id}`);
-    const links = [...grid.querySelectorAll('a')];
+    const grid = hitGrid(
+        hits,
+        ({ id }) => `#${id}`,
+        () => ({ build: '#b', pose: '#p' }),
+    );
+    const links = [...grid.querySelectorAll('a.card-link')];
     expect(links.map((link) => link.getAttribute('href'))).toEqual(['#101', '#102', '#103']);
     const lengths = [...grid.querySelectorAll<HTMLElement>('.parts-bar')].map((bar) =>
         Number(bar.style.getPropertyValue('--length')),
@@ -15,5 +19,11 @@ it('keeps the order of the hits, and measures the bars against the longest', () 
 });
 
 it('stands without hits', () => {
-    expect(hitGrid([], () => '#').querySelectorAll('a')).toHaveLength(0);
+    expect(
+        hitGrid(
+            [],
+            () => '#',
+            () => ({ build: '#b', pose: '#p' }),
+        ).querySelectorAll('a'),
+    ).toHaveLength(0);
 });

@@ -1,0 +1,465 @@
+// Posed copies of the Princeton segmentation benchmark's bodies, so that both labels are known:
+// every body of a class in the same poses, bent by our own rigs. Bodies are matched with the first
+// of their class by their skeletons and laid over it; a pose is a direction in that frame for the
+// upper and for the lower half of each limb, so matched limbs stand at the same angles whatever
+// they were at before. Skinning is linear and smooth. Writes DEST/off/N.off (N = 100 * body +
+// pose), DEST/build.cla, DEST/pose.cla, and the same for every third body alone, which no weight
+// may be chosen by: build-kept-out.cla, pose-kept-out.cla; the others are build-tuning.cla,
+// pose-tuning.cla.
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/decomposition/rig.h"
+#include "engine/descriptor/describe.h"
+#include "engine/matching/assignment.h"
+#include "engine/mesh/read_mesh.h"
+#include "engine/mesh/write_mesh.h"
+#include "engine/ranking/classification.h"
+#include "tests/support/benchmark_data.h"
+#include "tests/support/random.h"
+
+namespace {
+
+using namespace ossuary;
+namespace fs = std::filesystem;
+
+constexpr int kPoses = 8;
+constexpr int kKeptOut = 3;  // every third body
+constexpr int kDraws = 40;
+/// Limbs are branches with a free end, of at least this share of the longest.
+constexpr double kLeastLimb = 0.35;
+/// A body takes part when this share of the first body's limbs has a partner on it.
+constexpr double kLeastMatched = 0.75;
+constexpr double kMostSwing = 55.0 / 180.0 * std::numbers::pi;
+constexpr double kMostBend = 60.0 / 180.0 * std::numbers::pi;
+
+struct Limb {
+    std::uint32_t branch = 0;  ///< of the skeleton
+    bool from_a = true;        ///< the body is at the branch's node a
+    std::uint32_t second = 0;  ///< branch of the split skeleton: the outer half
+    Vec3 root, middle, tip;
+};
+
+struct Body {
+    std::string id;
+    mesh::TriangleMesh mesh;
+    skeleton::SkeletonGraph skeleton;
+    skeleton::SkeletonGraph split;        ///< limbs in two halves
+    std::map<std::uint32_t, Limb> limbs;  ///< by the first body's branch
+    Mat3 frame = Mat3::Identity();        ///< into the first body's
+    decomposition::Rig rig;
+};
+
+/// Where a limb's halves point, in the first body's frame.
+struct LimbPose {
+    Vec3 upper, lower;
+};
+using PoseOfBody = std::map<std::uint32_t, LimbPose>;
+
+template <typename T>
+T unwrap(Result<T> result) {
+    if (!result) throw std::runtime_error(result.error().message);
+    return *std::move(result);
+}
+
+Mat3 turn_onto(const Vec3& from, const Vec3& to) {
+    return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+Vec3 turned_at_random(const Vec3& direction, double most, std::mt19937_64& random) {
+    Vec3 axis;
+    do {
+        axis = Vec3(test::next_unit(random), test::next_unit(random), test::next_unit(random)) -
+               Vec3::Constant(0.5);
+    } while (axis.norm() > 0.5 || axis.norm() < 0.05);
+    const double angle = most * std::sqrt(test::next_unit(random));
+    return Eigen::AngleAxisd(angle, axis.cross(direction).normalized()).toRotationMatrix() *
+           direction;
+}
+
+/// A branch with one free end as a limb; none otherwise.
+std::optional<Limb> limb_of(const skeleton::SkeletonGraph& skeleton, std::uint32_t index) {
+    const skeleton::SkeletonGraph::Branch& branch = skeleton.branches[index];
+    const bool free_a = skeleton.nodes[branch.a].degree == 1;
+    const bool free_b = skeleton.nodes[branch.b].degree == 1;
+    if (free_a == free_b || branch.points.size() < 3) return std::nullopt;
+    Limb limb;
+    limb.branch = index;
+    limb.from_a = free_b;
+    limb.root = free_b ? branch.points.front() : branch.points.back();
+    limb.tip = free_b ? branch.points.back() : branch.points.front();
+    limb.middle = branch.points[branch.points.size() / 2];
+    return limb;
+}
+
+std::vector<std::uint32_t> limbs_of(const Body& body) {
+    double longest = 0.0;
+    for (const auto& branch : body.skeleton.branches) longest = std::max(longest, branch.length());
+    std::vector<std::uint32_t> limbs;
+    for (std::uint32_t b = 0; b < body.skeleton.branches.size(); ++b) {
+        const bool long_enough = body.skeleton.branches[b].length() >= kLeastLimb * longest;
+        if (long_enough && limb_of(body.skeleton, b)) limbs.push_back(b);
+    }
+    return limbs;
+}
+
+/// The limb's outer half becomes a branch of its own.
+void split_limb(skeleton::SkeletonGraph& graph, Limb& limb) {
+    const auto node = static_cast<std::uint32_t>(graph.nodes.size());
+    skeleton::SkeletonGraph::Branch& inner = graph.branches[limb.branch];
+    const std::size_t half = inner.points.size() / 2;
+    skeleton::SkeletonGraph::Branch outer;
+    const auto at = static_cast<std::ptrdiff_t>(half);
+    if (limb.from_a) {
+        outer = {node,
+                 inner.b,
+                 {inner.points.begin() + at, inner.points.end()},
+                 {inner.radii.begin() + at, inner.radii.end()}};
+        inner.points.resize(half + 1);
+        inner.radii.resize(half + 1);
+        inner.b = node;
+    } else {
+        outer = {inner.a,
+                 node,
+                 {inner.points.begin(), inner.points.begin() + at + 1},
+                 {inner.radii.begin(), inner.radii.begin() + at + 1}};
+        inner.points.erase(inner.points.begin(), inner.points.begin() + at);
+        inner.radii.erase(inner.radii.begin(), inner.radii.begin() + at);
+        inner.a = node;
+    }
+    graph.nodes.push_back({limb.middle, outer.radii.front(), 0.0, 2});
+    limb.second = static_cast<std::uint32_t>(graph.branches.size());
+    graph.branches.push_back(std::move(outer));
+}
+
+/// The limbs of a body with where they begin and end from the middle of them all, over their size.
+struct LimbPlaces {
+    std::vector<Limb> limbs;
+    std::vector<Vec3> places;  ///< root, tip, root, tip …
+
+    LimbPlaces(const Body& body, const std::vector<std::uint32_t>& branches) {
+        for (const std::uint32_t branch : branches) {
+            const std::optional<Limb> limb = limb_of(body.skeleton, branch);
+            if (!limb) continue;
+            limbs.push_back(*limb);
+            places.push_back(limb->root);
+            places.push_back(limb->tip);
+        }
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& place : places) middle += place / static_cast<double>(places.size());
+        double square = 0.0;
+        for (Vec3& place : places) square += (place -= middle).squaredNorm();
+        const double size = std::sqrt(square / static_cast<double>(places.size()));
+        for (Vec3& place : places) place /= size;
+    }
+};
+
+/// Which of the first body's limbs is which of the other's in a frame, and how far they are apart.
+struct LimbMatch {
+    Mat3 frame = Mat3::Identity();
+    std::vector<std::uint32_t> partner;  ///< of the one with fewer limbs
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+LimbMatch match_in_frame(const LimbPlaces& few, const LimbPlaces& many, const Mat3& frame) {
+    std::vector<float> costs;
+    for (std::size_t i = 0; i < few.limbs.size(); ++i) {
+        for (std::size_t j = 0; j < many.limbs.size(); ++j) {
+            const double root = (frame * few.places[2 * i] - many.places[2 * j]).norm();
+            const double tip = (frame * few.places[2 * i + 1] - many.places[2 * j + 1]).norm();
+            costs.push_back(static_cast<float>(root + tip));
+        }
+    }
+    matching::Assignment assignment;
+    const auto partner = assignment.solve(costs, few.limbs.size(), many.limbs.size());
+    LimbMatch match{frame, {partner.begin(), partner.end()}, 0.0};
+    for (std::size_t i = 0; i < match.partner.size(); ++i) {
+        match.cost += static_cast<double>(costs[i * many.limbs.size() + match.partner[i]]);
+    }
+    return match;
+}
+
+/// The rotation that lays matched limbs over each other.
+Mat3 laid_over(const LimbPlaces& few, const LimbPlaces& many, const LimbMatch& match) {
+    Mat3 covariance = Mat3::Zero();
+    for (std::size_t i = 0; i < match.partner.size(); ++i) {
+        for (std::size_t end = 0; end < 2; ++end) {
+            covariance +=
+                many.places[2 * match.partner[i] + end] * few.places[2 * i + end].transpose();
+        }
+    }
+    const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const bool mirrors = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0;
+    const Vec3 signs(1.0, 1.0, mirrors ? -1.0 : 1.0);
+    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+/// The best of many frames to begin with, each settled: left and right are told apart by where
+/// limbs are, which trees of limbs cannot tell.
+LimbMatch match_places(const LimbPlaces& few, const LimbPlaces& many) {
+    constexpr int kFrames = 400;
+    std::mt19937_64 random(1);
+    LimbMatch best;
+    for (int start = 0; start < kFrames; ++start) {
+        const auto next = [&] { return 2.0 * test::next_unit(random) - 1.0; };
+        const Eigen::Quaterniond turn(next(), next(), next(), next());
+        Mat3 frame = Mat3::Identity();
+        if (start > 0) frame = turn.normalized().toRotationMatrix();
+        LimbMatch match;
+        for (int round = 0; round < 6; ++round) {
+            match = match_in_frame(few, many, frame);
+            frame = laid_over(few, many, match);
+        }
+        if (match.cost < best.cost) best = std::move(match);
+    }
+    return best;
+}
+
+/// Spreads weights over about a twenty-fifth of the body, whatever its triangles' size.
+int smoothing_of(const mesh::TriangleMesh& mesh) {
+    Box3 box;
+    for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
+    double length = 0.0;
+    for (const auto& face : mesh.triangles) {
+        length += (mesh.vertices[face[0]] - mesh.vertices[face[1]]).norm();
+    }
+    const double edge =
+        length / static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
+    const double steps = 0.04 * box.diagonal().norm() / std::max(edge, 1e-12);
+    return static_cast<int>(std::clamp(steps * steps, 12.0, 200.0));
+}
+
+/// Finds the body's partners of the first body's limbs; false where too few have one.
+bool match_limbs(const Body& first, const std::vector<std::uint32_t>& limbs, Body& body) {
+    const LimbPlaces ours(first, limbs), theirs(body, limbs_of(body));
+    if (theirs.limbs.size() < 2) return false;
+    const bool we_are_fewer = ours.limbs.size() <= theirs.limbs.size();
+    const LimbMatch match = we_are_fewer ? match_places(ours, theirs) : match_places(theirs, ours);
+    body.frame = we_are_fewer ? Mat3(match.frame.transpose()) : match.frame;
+    body.split = body.skeleton;
+    for (std::size_t i = 0; i < match.partner.size(); ++i) {
+        const std::size_t our = we_are_fewer ? i : match.partner[i];
+        Limb limb = theirs.limbs[we_are_fewer ? match.partner[i] : i];
+        split_limb(body.split, limb);
+        body.limbs.emplace(limbs[our], limb);
+    }
+    const auto wanted = kLeastMatched * static_cast<double>(limbs.size());
+    if (static_cast<double>(body.limbs.size()) < wanted) return false;
+    skeleton::update_degrees(body.split);
+    body.rig = decomposition::make_rig(body.mesh, body.split, smoothing_of(body.mesh));
+    return true;
+}
+
+struct Motion {
+    Mat3 rotation = Mat3::Identity();
+    Vec3 shift = Vec3::Zero();
+    [[nodiscard]] Vec3 operator()(const Vec3& point) const { return rotation * point + shift; }
+};
+
+/// How each branch of the split skeleton moves.
+std::vector<Motion> motions(const Body& body, const PoseOfBody& pose) {
+    std::vector<Motion> result(body.split.branches.size());
+    for (const auto& [branch, limb] : body.limbs) {
+        const LimbPose& wanted = pose.at(branch);
+        const Mat3 upper =
+            turn_onto(limb.middle - limb.root, body.frame.transpose() * wanted.upper);
+        const Mat3 lower = turn_onto(limb.tip - limb.middle, body.frame.transpose() * wanted.lower);
+        result[limb.branch] = {upper, limb.root - upper * limb.root};
+        result[limb.second] = {lower, result[limb.branch](limb.middle) - lower * limb.middle};
+    }
+    return result;
+}
+
+/// How deep branches that do not touch each other go into each other, over all pairs of points.
+double contact(const Body& body, const PoseOfBody& pose) {
+    const std::vector<Motion> moves = motions(body, pose);
+    double depth = 0.0;
+    const auto& branches = body.split.branches;
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const bool joined = branches[i].a == branches[j].a || branches[i].a == branches[j].b ||
+                                branches[i].b == branches[j].a || branches[i].b == branches[j].b;
+            if (joined) continue;
+            for (std::size_t k = 0; k < branches[i].points.size(); k += 3) {
+                for (std::size_t l = 0; l < branches[j].points.size(); l += 3) {
+                    const double gap =
+                        (moves[i](branches[i].points[k]) - moves[j](branches[j].points[l])).norm();
+                    const double radii = branches[i].radii[k] + branches[j].radii[l];
+                    depth += std::max(0.0, 1.2 * radii - gap) / radii;
+                }
+            }
+        }
+    }
+    return depth;
+}
+
+/// Of some poses at random the one in which the bodies touch themselves least.
+PoseOfBody draw_pose(const std::vector<Body>& bodies, const std::vector<std::uint32_t>& limbs,
+                     std::mt19937_64& random) {
+    PoseOfBody best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int draw = 0; draw < kDraws && least > 0.0; ++draw) {
+        PoseOfBody pose;
+        for (const std::uint32_t branch : limbs) {
+            const Limb& rest = bodies.front().limbs.at(branch);
+            const Vec3 upper =
+                turned_at_random((rest.middle - rest.root).normalized(), kMostSwing, random);
+            pose[branch] = {upper, turned_at_random(upper, kMostBend, random)};
+        }
+        double depth = 0.0;
+        for (const Body& body : bodies) depth += contact(body, pose);
+        if (depth < least) least = depth, best = std::move(pose);
+    }
+    return best;
+}
+
+mesh::TriangleMesh posed(const Body& body, const PoseOfBody& pose) {
+    const std::vector<Motion> of_branch = motions(body, pose);
+    mesh::TriangleMesh result = body.mesh;
+    for (std::size_t v = 0; v < result.vertices.size(); ++v) {
+        const decomposition::Rig::Weights& weights = body.rig.weights[v];
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = 0; k < decomposition::Rig::kInfluences; ++k) {
+            const auto weight = static_cast<double>(weights.weights[k]);
+            if (weight <= 0.0) continue;
+            const std::int32_t branch = body.rig.joints[weights.joints[k]].branch;
+            const Motion motion =
+                branch < 0 ? Motion{} : of_branch[static_cast<std::size_t>(branch)];
+            sum += weight * motion(body.mesh.vertices[v]);
+        }
+        result.vertices[v] = sum;
+    }
+    return result;
+}
+
+/// The class' bodies; of deformed copies of one mesh, which are one body, the first alone.
+std::vector<Body> read_bodies(const fs::path& folder, const std::vector<std::string>& ids) {
+    std::vector<Body> bodies;
+    for (const std::string& id : ids) {
+        Body body;
+        body.id = id;
+        body.mesh = unwrap(mesh::read_mesh(folder / (id + ".off"))).mesh;
+        const bool known = std::any_of(bodies.begin(), bodies.end(), [&](const Body& other) {
+            return other.mesh.triangles == body.mesh.triangles;
+        });
+        if (known) continue;
+        descriptor::DescribeOptions options;
+        options.turned_grids = 0;
+        descriptor::Description description = unwrap(descriptor::describe(body.mesh, options));
+        body.skeleton = std::move(description.skeleton);
+        bodies.push_back(std::move(body));
+    }
+    return bodies;
+}
+
+using Groups = std::vector<std::pair<std::string, std::vector<int>>>;
+
+void write_classes(const fs::path& path, const Groups& groups) {
+    std::ofstream out(path);
+    std::size_t models = 0;
+    for (const auto& group : groups) models += group.second.size();
+    out << fmt::format("PSB 1\n{} {}\n\n", groups.size(), models);
+    for (const auto& [name, ids] : groups) {
+        out << fmt::format("{} 0 {}\n{}\n\n", name, ids.size(), fmt::join(ids, "\n"));
+    }
+    if (!out) throw std::runtime_error("could not write " + path.string());
+}
+
+struct Labels {
+    Groups build, pose;
+};
+
+/// Poses the bodies of one class; their numbers begin with `next`.
+void articulate(const std::string& name, std::vector<Body> all, const fs::path& destination,
+                int& next, std::map<std::string, Labels>& labels) {
+    const std::vector<std::uint32_t> limbs = limbs_of(all.front());
+    std::vector<Body> bodies;
+    for (Body& body : all) {
+        if (match_limbs(bodies.empty() ? body : bodies.front(), limbs, body)) {
+            bodies.push_back(std::move(body));
+        }
+    }
+    std::cout << fmt::format("{}: {} of {} bodies, {} limbs\n", name, bodies.size(), all.size(),
+                             limbs.size());
+    std::mt19937_64 random(std::accumulate(name.begin(), name.end(), std::uint64_t{1}));
+    std::vector<PoseOfBody> poses;
+    for (int p = 0; p < kPoses; ++p) poses.push_back(draw_pose(bodies, limbs, random));
+    std::map<std::string, std::vector<std::vector<int>>> by_pose;
+    for (const Body& body : bodies) {
+        const std::string set = next % kKeptOut == kKeptOut - 1 ? "-kept-out" : "-tuning";
+        std::vector<int> ids;
+        for (int p = 0; p < kPoses; ++p) {
+            ids.push_back(100 * next + p);
+            const auto written =
+                mesh::write_off(posed(body, poses[static_cast<std::size_t>(p)]),
+                                destination / "off" / fmt::format("{}.off", ids.back()));
+            if (!written) throw std::runtime_error(written.error().message);
+            for (const std::string& part : {std::string(), set}) {
+                by_pose[part].resize(kPoses);
+                by_pose[part][static_cast<std::size_t>(p)].push_back(ids.back());
+            }
+        }
+        for (const std::string& part : {std::string(), set}) {
+            labels[part].build.emplace_back(name + body.id, ids);
+        }
+        ++next;
+    }
+    for (auto& [part, ids] : by_pose) {
+        for (std::size_t p = 0; p < ids.size(); ++p) {
+            labels[part].pose.emplace_back(fmt::format("{}-{}", name, p), std::move(ids[p]));
+        }
+    }
+}
+
+void run(const fs::path& data, const fs::path& destination, const std::vector<std::string>& names) {
+    fs::create_directories(destination / "off");
+    const auto models = ranking::models_in_order(
+        unwrap(ranking::read_classification(data / "segmentation-all.cla")));
+    std::map<std::string, Labels> labels;
+    int next = 0;
+    for (const std::string& name : names) {
+        std::vector<std::string> ids;
+        for (const auto& model : models) {
+            if (model.class_name == name) ids.push_back(model.id);
+        }
+        if (ids.empty()) throw std::runtime_error("no class " + name);
+        articulate(name, read_bodies(data / "off", ids), destination, next, labels);
+    }
+    for (const auto& [part, both] : labels) {
+        write_classes(destination / ("build" + part + ".cla"), both.build);
+        write_classes(destination / ("pose" + part + ".cla"), both.pose);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto data = test::benchmark_data();
+    if (!data || argc < 2) {
+        std::cerr << "usage: ossuary_articulate DEST [CLASS…], with OSSUARY_DATA set to the folder "
+                     "of princeton-segmentation/\n";
+        return 2;
+    }
+    std::vector<std::string> names(argv + 2, argv + argc);
+    if (names.empty()) {
+        names = {"human", "fourleg", "hand", "octopus", "ant", "teddy", "bird"};
+    }
+    try {
+        run(*data / "princeton-segmentation", argv[1], names);
+    } catch (const std::exception& error) {
+        std::cerr << "ossuary_articulate: " << error.what() << '\n';
+        return 1;
+    }
+}
