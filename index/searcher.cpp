@@ -89,6 +89,10 @@ Result<void> check_rank_options(const ranking::RankOptions& options) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.pose) + ", expected a number from 0 to 1"};
     }
+    if (!(options.size >= 0.0 && options.size <= 1.0)) {
+        return {ErrorCode::kInvalidArgument,
+                "size: " + std::to_string(options.size) + ", expected a number from 0 to 1"};
+    }
     if (options.part && options.rerank) {
         return {ErrorCode::kInvalidArgument,
                 "rerank: not together with part; what holds the same part need not be alike"};

@@ -133,6 +133,7 @@ ranking::RankOptions read_rank_options(ParameterReader& reader, bool with_rerank
         if (const auto kind = ranking::parse_ranker(*name)) options.ranker = *kind;
     }
     options.pose = reader.number("pose", 0.0, 1.0).value_or(options.pose);
+    options.size = reader.number("size", 0.0, 1.0).value_or(options.size);
     if (with_rerank) options.rerank = reader.boolean("rerank").value_or(options.rerank);
     options.part = reader.boolean("part").value_or(options.part);
     if (options.part && options.rerank) {

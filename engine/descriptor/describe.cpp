@@ -133,9 +133,8 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
     lap("turned_skeletons");
     if (stop.stop_requested()) return cancelled();
 
-    description.descriptor.globals =
-        global_descriptors(solid.surface, skeleton.solid.volume, skeletons,
-                           skeleton.solid.world_from_grid.rotation, stop);
+    description.descriptor.globals = global_descriptors(
+        solid.surface, skeleton.solid.volume, skeletons, skeleton.solid.world_from_grid, stop);
     if (stop.stop_requested()) return cancelled();
     description.descriptor.skeleton = std::move(skeletons.front());
     lap("global_descriptors");

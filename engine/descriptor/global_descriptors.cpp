@@ -23,7 +23,7 @@ constexpr int kPairSources = 32;
 
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons, const Mat3& rotation,
+    std::span<const matching::SkeletonDescriptor> skeletons, const WorldFromGrid& world,
     const std::stop_token& stop) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
@@ -47,7 +47,8 @@ std::vector<GlobalDescriptor> global_descriptors(
     add(radial_thickness(graph, diameters));
     add(thickness(graph, diameters, scale));
     add(thickness_pairs(graph, spread, diameters, scale));
-    add(pose_points(graph, scale, rotation));
+    add(pose_points(graph, scale, world.rotation));
+    add(body_size(world.length(scale)));
     return globals;
 }
 
@@ -67,6 +68,8 @@ double global_distance(const GlobalDescriptor& a, const GlobalDescriptor& b,
             return view_distance(a.values, b.values);
         case GlobalMetric::kPose:
             return pose_points_distance(a.values, b.values);
+        case GlobalMetric::kSize:
+            return body_size_distance(a.values, b.values);
     }
     assert(false);
     return 0.0;

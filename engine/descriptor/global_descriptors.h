@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/geometry.h"
+#include "engine/descriptor/body_size.h"
 #include "engine/descriptor/local_volume.h"
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/descriptor/pose_points.h"
@@ -28,6 +29,7 @@ enum class GlobalMetric {
     kSquaredManhattan,  ///< of their squares
     kViews,             ///< view_distance
     kPose,              ///< pose_points_distance
+    kSize,              ///< body_size_distance
 };
 
 struct GlobalDescriptorKind {
@@ -47,6 +49,7 @@ inline constexpr std::array kGlobalDescriptorKinds = {
     GlobalDescriptorKind{"thickness", kThicknessSize, GlobalMetric::kManhattan},
     GlobalDescriptorKind{"thickness_pairs", kThicknessPairsSize, GlobalMetric::kManhattan},
     GlobalDescriptorKind{"pose_points", kPosePointsSize, GlobalMetric::kPose},
+    GlobalDescriptorKind{"body_size", kBodySizeSize, GlobalMetric::kSize},
 };
 
 /// Where in ModelDescriptor::globals each is.
@@ -60,17 +63,18 @@ enum GlobalPlace : std::size_t {
     kThicknessPlace,
     kThicknessPairsPlace,
     kPosePointsPlace,
+    kBodySizePlace,
 };
 
 /// All global descriptors of a solid and its skeleton.
 /// @param surface    solid_surface(solid)
 /// @param skeletons  of the same model, made on one grid or several
-/// @param rotation  of the solid's grid in the file (WorldFromGrid::rotation)
+/// @param world  where the solid's grid is in the file: what pose and size are measured in
 /// @param stop  once requested, they are not complete
 std::vector<GlobalDescriptor> global_descriptors(
     const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons,
-    const Mat3& rotation = Mat3::Identity(), const std::stop_token& stop = {});
+    std::span<const matching::SkeletonDescriptor> skeletons, const WorldFromGrid& world = {},
+    const std::stop_token& stop = {});
 
 /// The distance of two global descriptors of one kind; 0 for equal ones, symmetric bit by bit. A
 /// descriptor of another length than the kind's (made by another version) is infinitely far.

@@ -30,6 +30,9 @@ constexpr ComponentValues kHybridNearness = {0.0, 1.0, 1.0, 2.0};
 constexpr double kNear = 0.15;
 /// Of all components beside these: only equal models are at distance 0.
 constexpr double kTrace = 0.001;
+/// Deviations that a size e times as large is worth: a tenth more is two of them.
+constexpr double kSizeDeviations = 20.0;
+constexpr double kMostOfSize = 40.0;
 /// No single component may say more than this many deviations.
 constexpr double kMaxDeviations = 8.0;
 /// Below this many deviations they count as a logarithm.
@@ -56,6 +59,11 @@ ComponentValues ratios(const ComponentValues& distances, const FusionSide& a, co
         result[c] = weights[c] * std::min(ratio, 1.0 + kMaxDeviations);
     }
     return result;
+}
+
+double size_deviations(const ComponentValues& distances, const FusionSide& a, const FusionSide& b) {
+    const double weight = 0.5 * (a.size + b.size);
+    return weight * std::min(kSizeDeviations * distances[kSizeComponent], kMostOfSize);
 }
 
 /// What a skeleton's build says of how much it tells.
@@ -137,7 +145,7 @@ double skeleton_information(const matching::SkeletonDescriptor& skeleton) {
 FusionSide fusion_side(const descriptor::ModelDescriptor& model, const ModelScale& scale,
                        const RankOptions& options) {
     const double information = skeleton_information(model.skeleton);
-    FusionSide side{scale, {}, kHybridNearness};
+    FusionSide side{scale, {}, kHybridNearness, options.size};
     if (options.ranker == RankerKind::kSkeleton) {
         side.weights = kSkeletonWeights;
         side.nearness = kSkeletonNearness;
@@ -159,14 +167,16 @@ double fused_distance(const ComponentValues& distances, const FusionSide& a, con
         const double from_b = (distances[c] - b.scale.mean[c]) / b.scale.deviation[c];
         deviations += weights[c] * bounded_deviations(0.5 * (from_a + from_b));
     }
+    const double size = size_deviations(distances, a, b);
     const double near = sum_of(ratios(distances, a, b, shares(a.nearness, b.nearness))) / kNear;
     const double trace = kTrace * sum_of(ratios(distances, a, b, weights));
-    return std::exp(deviations) * -std::expm1(-(near * near + trace));
+    return std::exp(deviations + size) * -std::expm1(-(near * near + trace + size * size));
 }
 
 ComponentValues fused_parts(const ComponentValues& distances, const FusionSide& a,
                             const FusionSide& b) {
     ComponentValues parts = ratios(distances, a, b, shares(a.weights, b.weights));
+    parts[kSizeComponent] = size_deviations(distances, a, b);
     const double sum = sum_of(parts);
     if (sum <= 0.0) return {};
     const double scale = fused_distance(distances, a, b) / sum;

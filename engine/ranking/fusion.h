@@ -16,6 +16,7 @@ struct FusionSide {
     ModelScale scale;
     ComponentValues weights{};
     ComponentValues nearness{};  ///< weights of what tells copies of the model from its likes
+    double size = 0.0;           ///< RankOptions::size
 };
 
 /// @param options  ranker and pose count
@@ -28,9 +29,10 @@ struct FusionSide {
 /// nearest. Below -3 deviations z grows as a logarithm only: a plain skeleton has partners at -8
 /// that would outvote all else. Among models of a kind those are nearest that agree in what noise
 /// and decimation change least: with n the mean of these components, each over its mean distance,
-/// it is exp(f) (1 - exp(-(n / .15)²)), up to a trace of the other components. So it is 0 for equal
-/// models alone, and symmetric. Ranking by means alone (d / mean) loses 1.2 points of first tier on
-/// the ten classes, by a pooled scale 3.3.
+/// it is exp(f) (1 - exp(-(n / .15)²)), up to a trace of the other components. Where size counts, a
+/// body that is a tenth larger is as far as one two deviations further. So it is 0 for equal models
+/// alone, and symmetric. Ranking by means alone (d / mean) loses 1.2 points of first tier on the
+/// ten classes, by a pooled scale 3.3.
 [[nodiscard]] double fused_distance(const ComponentValues& distances, const FusionSide& a,
                                     const FusionSide& b);
 

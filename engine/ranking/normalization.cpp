@@ -25,8 +25,8 @@ constexpr std::size_t kMaxKnown = kMaxPairs / kLeastReferences;
 /// Built-in scale: that of 380 models of 19 classes. It holds until a collection has its own, and
 /// weighs as much as this many distances against those.
 constexpr ModelScale kTypicalScale = {
-    {0.50, 2890.0, 2080.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.6, 0.173},
-    {0.072, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.15, 0.040}};
+    {0.50, 2890.0, 2080.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.6, 0.173, 1.0},
+    {0.072, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.15, 0.040, 1.0}};
 static_assert(kTypicalScale.mean.back() > 0.0 && kTypicalScale.deviation.back() > 0.0,
               "a component without a scale");
 constexpr double kTypicalWeight = 10.0;

@@ -23,6 +23,7 @@ std::string_view component_name(std::size_t component) {
     assert(component < kComponentCount);
     if (component == kBuildComponent) return "build";
     if (component == kPoseComponent) return "pose";
+    if (component == kSizeComponent) return "size";
     return component == 0 ? "skeleton" : descriptor::kGlobalDescriptorKinds[component - 1].name;
 }
 
@@ -60,6 +61,7 @@ ComponentValues PairMeter::cheap_components(const descriptor::ModelDescriptor& a
         if (pose_ > 0.0 && pose_ < 1.0 && fuses(ranker_, c)) values[c] = distance_by(a, b, c - 1);
     }
     values[kBuildComponent] = build_distance(a, b);
+    if (size_ > 0.0) values[kSizeComponent] = distance_by(a, b, descriptor::kBodySizePlace);
     return values;
 }
 

@@ -15,10 +15,11 @@ namespace ossuary::ranking {
 
 /// What is fused: component 0 is the tree edit distance of the skeletons, then come the global
 /// descriptors that tell kinds apart, in the order of kGlobalDescriptorKinds, of which `skeleton`
-/// fuses the first two alone; last the two measures that `--pose` goes between.
+/// fuses the first two alone; then the two measures that `--pose` goes between; last the size.
 inline constexpr std::size_t kBuildComponent = 1 + descriptor::kThicknessPlace;
 inline constexpr std::size_t kPoseComponent = kBuildComponent + 1;
-inline constexpr std::size_t kComponentCount = kPoseComponent + 1;
+inline constexpr std::size_t kSizeComponent = kPoseComponent + 1;
+inline constexpr std::size_t kComponentCount = kSizeComponent + 1;
 using ComponentValues = std::array<double, kComponentCount>;
 inline constexpr std::size_t kSkeletonComponents = 3;
 /// Whether a ranker fuses a component; `chain-code` fuses none.
@@ -47,6 +48,7 @@ public:
     explicit PairMeter(const RankOptions& options)
         : ranker_(options.ranker),
           pose_(options.pose),
+          size_(options.size),
           stop_(options.stop),
           chain_code_workspace_(stop_),
           skeleton_workspace_(stop_) {}
@@ -57,7 +59,7 @@ public:
                                              chain_code_workspace_);
     }
     /// The components that the ranker fuses, each in its own unit; 0 for the others, and for those
-    /// that have no weight at the options' `pose`.
+    /// that have no weight at the options' `pose` and `size`.
     [[nodiscard]] ComponentValues components(const descriptor::ModelDescriptor& a,
                                              const descriptor::ModelDescriptor& b);
     /// The same without the tree edit distance and the pose, which cost twenty and two hundred
@@ -75,6 +77,7 @@ public:
 private:
     RankerKind ranker_;
     double pose_;
+    double size_;
     std::stop_token stop_;
     matching::ChainCodeMatchOptions chain_code_options_;
     matching::SkeletonMatchOptions skeleton_options_;

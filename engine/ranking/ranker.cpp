@@ -127,7 +127,7 @@ matching::Match explain_whole(const descriptor::ModelDescriptor& query,
     std::vector<matching::DistancePart> named;
     if (options.ranker == RankerKind::kSkeleton) named = split(parts[0], match);
     for (std::size_t c = named.size() > 0 ? 1 : 0; c < kComponentCount; ++c) {
-        if (!fuses(options.ranker, c)) continue;
+        if (!fuses(options.ranker, c) || (c == kSizeComponent && options.size <= 0.0)) continue;
         named.push_back({std::string(component_name(c)), parts[c]});
     }
     match.parts = std::move(named);

@@ -37,6 +37,9 @@ struct RankOptions {
     int jobs = 1;
     std::stop_token stop =
         {};  ///< looked at every few milliseconds; then the outcome is `cancelled`
+    /// In [0, 1]: how far the size in the file's unit counts; 0 = not at all. `chain-code` and
+    /// parts know no size.
+    double size = 0.0;
 };
 
 /// What normalisation needs to know of a collection; made once for an index and stored with it.

@@ -78,6 +78,11 @@ void RankingOptions::add_to(CLI::App& command, Count count, bool with_rerank) {
                     "apart best")
         ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
+    command
+        .add_option("--size", size,
+                    "How far the size counts, for models that are all in one unit: 0 = not at all")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
     if (with_rerank) {
         command.add_flag("--rerank", rerank, "Re-rank by the neighbourhoods within the collection");
     }
@@ -98,6 +103,7 @@ Result<std::vector<ranking::RankOptions>> RankingOptions::rank_options(int jobs)
         ranking::RankOptions options;
         options.ranker = *ranker;
         options.pose = pose;
+        options.size = size;
         options.rerank = rerank;
         options.part = part;
         options.jobs = jobs;

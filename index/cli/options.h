@@ -26,10 +26,11 @@ struct PipelineOptions {
         const index::IndexParameters& defaults = {}) const;
 };
 
-/// --ranker, --pose, --rerank and --part.
+/// --ranker, --pose, --size, --rerank and --part.
 struct RankingOptions {
     std::vector<std::string> rankers = {"hybrid"};
     double pose = ranking::RankOptions{}.pose;
+    double size = ranking::RankOptions{}.size;
     bool rerank = false;
     bool part = false;
 

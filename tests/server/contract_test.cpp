@@ -208,8 +208,8 @@ TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
         for (const json& each : parameters) {
             if (resolved(each)["in"] == "query") names.insert(resolved(each)["name"]);
         }
-        for (const char* name : {"a", "b", "limit", "cursor", "ranker", "pose", "class", "rerank",
-                                 "part", "include", "name"}) {
+        for (const char* name : {"a", "b", "limit", "cursor", "ranker", "pose", "size", "class",
+                                 "rerank", "part", "include", "name"}) {
             // A space is a value that none takes but texts; what counts is whether it is unknown.
             const RawAnswer answer = server_.ask(get(address + "?" + name + "=+"));
             const bool unknown = answer.body.find("parameter_unknown") != std::string::npos;

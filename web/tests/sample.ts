@@ -102,6 +102,7 @@ export function searchResult(hits: Hit[] = [hit(1), hit(2)]): SearchResult {
         stages_ms: { read: 2, thin: 80, rank: 2 },
         ranker: 'hybrid',
         pose: 0.15,
+        size: 0,
         rerank: false,
         part: false,
         models: 380,

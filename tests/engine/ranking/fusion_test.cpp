@@ -6,8 +6,9 @@ namespace ossuary::ranking {
 namespace {
 
 /// What a collection of many kinds says.
-constexpr ModelScale kScale = {{0.5, 2900.0, 2100.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.0, 0.4},
-                               {0.07, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.0, 0.1}};
+constexpr ModelScale kScale = {
+    {0.5, 2900.0, 2100.0, 16800.0, 218000.0, 4330.0, 6140.0, 3.0, 0.4, 1.0},
+    {0.07, 1050.0, 1000.0, 3430.0, 80000.0, 1490.0, 1500.0, 1.0, 0.1, 1.0}};
 
 /// A body of three limbs from one node.
 descriptor::ModelDescriptor a_model() {
@@ -38,7 +39,7 @@ TEST(Fusion, IsZeroForEqualModelsAlone) {
         EXPECT_EQ(fused_distance({}, one, one), 0.0);
         const FusionSide build = side(ranker, 0.0), pose = side(ranker, 1.0);
         for (std::size_t c = 0; c < kComponentCount; ++c) {
-            if (!fuses(ranker, c)) continue;
+            if (!fuses(ranker, c) || c == kSizeComponent) continue;
             ComponentValues distances{};
             distances[c] = 0.01 * kScale.mean[c];
             EXPECT_EQ(fused_distance(distances, one, one) > 0.0, c < kBuildComponent)
@@ -102,6 +103,31 @@ TEST(Fusion, GoesFromBuildAloneOverKindsToPoseAlone) {
         EXPECT_EQ(fused_distance(changed, pose, pose), fused_distance(other_build, pose, pose));
         changed[kPoseComponent] *= 1.7;
         EXPECT_EQ(fused_distance(changed, build, build), fused_distance(other_build, build, build));
+    }
+}
+
+TEST(Fusion, TakesNoticeOfSizeWhereItCounts) {
+    const ComponentValues like = shares_of_mean({0.5, 0.1, 0.1, 0.2, 0.4, 0.4, 0.4, 0.4, 0.4});
+    ComponentValues larger = like, only_larger{};
+    larger[kSizeComponent] = 0.1;
+    only_larger[kSizeComponent] = 0.1;
+    for (const double pose : {0.0, 0.15, 1.0}) {
+        const auto side_of = [&](double size) {
+            return fusion_side(a_model(), kScale, {.pose = pose, .size = size});
+        };
+        const FusionSide without = side_of(0.0), half = side_of(0.5), with = side_of(1.0);
+        EXPECT_EQ(fused_distance(larger, without, without), fused_distance(like, without, without));
+        EXPECT_EQ(fused_distance(only_larger, without, without), 0.0);
+        EXPECT_GT(fused_distance(only_larger, half, half), 0.0);
+        EXPECT_EQ(fused_distance(like, with, with), fused_distance(like, without, without));
+        EXPECT_GT(fused_distance(larger, half, half), fused_distance(like, half, half));
+        EXPECT_GT(fused_distance(larger, with, with), fused_distance(larger, half, half));
+        double sum = 0.0;
+        for (const double part : fused_parts(larger, with, with)) sum += part;
+        EXPECT_NEAR(sum, fused_distance(larger, with, with), 1e-9);
+        larger[kSizeComponent] = 1e9;
+        EXPECT_LT(fused_distance(larger, with, with), 1e30);
+        larger[kSizeComponent] = 0.1;
     }
 }
 

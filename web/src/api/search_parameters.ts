@@ -6,6 +6,8 @@ export interface SearchParameters {
     ranker: Ranker;
     /** 0: build alone, whatever limbs do; 1: pose alone, whatever the body; between: kinds. */
     pose: number;
+    /** 0: bodies of any size; 1: size counts, for models of one unit. */
+    size: 0 | 1;
     rerank: boolean;
     limit: number;
     /** Empty: all classes. */
@@ -15,6 +17,7 @@ export interface SearchParameters {
 export const kSearchDefaults: Readonly<SearchParameters> = {
     ranker: 'hybrid',
     pose: 0.15,
+    size: 0,
     rerank: false,
     limit: 24,
     className: '',
@@ -44,6 +47,9 @@ export function encodeSearch(parameters: SearchParameters): URLSearchParams {
         pose: String(parameters.pose),
         rerank: String(parameters.rerank),
     });
+    if (parameters.size > 0) {
+        query.set('size', String(parameters.size));
+    }
     if (parameters.className !== '') {
         query.set('class', parameters.className);
     }
@@ -67,6 +73,7 @@ export function decodeSearch(query: URLSearchParams): SearchParameters {
     return {
         ranker: isRanker(ranker) ? ranker : kSearchDefaults.ranker,
         pose: parsePose(query.get('pose')),
+        size: query.get('size') === '1' ? 1 : 0,
         rerank: query.get('rerank') === 'true',
         limit: parseLimit(query.get('limit')),
         className: query.get('class') ?? '',

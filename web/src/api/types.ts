@@ -587,6 +587,7 @@ export interface components {
             };
             ranker: components["schemas"]["Ranker"];
             pose: number;
+            size: number;
             rerank: boolean;
             part: boolean;
             /** @description Models in the collection that was searched. */
@@ -850,6 +851,8 @@ export interface components {
         RankerInPath: components["schemas"]["Ranker"];
         /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
         Pose: number;
+        /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
+        Size: number;
         /** @description Only models of this class. */
         Class: string;
         /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
@@ -932,6 +935,7 @@ export type ParameterLimit = components['parameters']['Limit'];
 export type ParameterRanker = components['parameters']['Ranker'];
 export type ParameterRankerInPath = components['parameters']['RankerInPath'];
 export type ParameterPose = components['parameters']['Pose'];
+export type ParameterSize = components['parameters']['Size'];
 export type ParameterClass = components['parameters']['Class'];
 export type ParameterName = components['parameters']['Name'];
 export type ParameterRerank = components['parameters']['Rerank'];
@@ -950,6 +954,8 @@ export interface operations {
                 ranker?: components["parameters"]["Ranker"];
                 /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
+                /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
+                size?: components["parameters"]["Size"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
@@ -1164,6 +1170,8 @@ export interface operations {
                 ranker?: components["parameters"]["Ranker"];
                 /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
+                /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
+                size?: components["parameters"]["Size"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
@@ -1354,6 +1362,8 @@ export interface operations {
                 ranker?: components["parameters"]["Ranker"];
                 /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
                 pose?: components["parameters"]["Pose"];
+                /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
+                size?: components["parameters"]["Size"];
                 /**
                  * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
                  *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part

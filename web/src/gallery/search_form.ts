@@ -106,6 +106,11 @@ export function searchForm(
         name: 'rerank',
         checked: parameters.rerank,
     });
+    const size = element('input', {
+        type: 'checkbox',
+        name: 'size',
+        checked: parameters.size > 0,
+    });
     const className = classField(parameters.className, classes);
     const node = element(
         'form',
@@ -117,6 +122,12 @@ export function searchForm(
         element(
             'label',
             { class: 'switch' },
+            size,
+            element('span', {}, 'Size counts (models of one unit)'),
+        ),
+        element(
+            'label',
+            { class: 'switch' },
             rerank,
             element('span', {}, 'Re-rank by what the collection has in common'),
         ),
@@ -125,6 +136,7 @@ export function searchForm(
         ranker: (rankers.querySelector<HTMLInputElement>('input:checked')?.value ??
             parameters.ranker) as Ranker,
         pose: Number(pose.value),
+        size: size.checked ? 1 : 0,
         rerank: rerank.checked,
         limit: Number(limit.value),
         className: className.input.value.trim(),

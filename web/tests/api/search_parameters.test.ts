@@ -15,7 +15,7 @@ function* variants(): Generator<SearchParameters> {
         for (const pose of [0, 0.15, 0.35, 1]) {
             for (const rerank of [false, true]) {
                 for (const className of ['', 'human', 'a & b=c#d/ü']) {
-                    yield { ranker, pose, rerank, limit: 48, className };
+                    yield { ranker, pose, size: rerank ? 1 : 0, rerank, limit: 48, className };
                 }
             }
         }
@@ -52,6 +52,7 @@ describe('search parameters', () => {
         'limit=2.5',
         'limit=1e9',
         'rerank=perhaps',
+        'size=large',
         'unknown=1',
     ])('become the defaults where the address makes no sense: %s', (address) => {
         expect(decodeSearch(new URLSearchParams(address))).toEqual(kSearchDefaults);

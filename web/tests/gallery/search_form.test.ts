@@ -7,6 +7,7 @@ import { KnownClasses } from '../../src/page/known_classes';
 const kOther: SearchParameters = {
     ranker: 'chain-code',
     pose: 0.8,
+    size: 1,
     rerank: true,
     limit: 96,
     className: 'table',

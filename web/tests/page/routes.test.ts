@@ -23,7 +23,14 @@ function* routes(): Generator<Route> {
             yield resultsOf(source, kSearchDefaults, over);
             yield resultsOf(
                 source,
-                { ranker: 'chain-code', pose: 0.5, rerank: true, limit: 96, className: 'ü &=' },
+                {
+                    ranker: 'chain-code',
+                    pose: 0.5,
+                    size: 1,
+                    rerank: true,
+                    limit: 96,
+                    className: 'ü &=',
+                },
                 over,
             );
         }
