@@ -8,7 +8,7 @@
 // pose-tuning.cla.
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -23,34 +23,30 @@
 
 #include "engine/decomposition/rig.h"
 #include "engine/descriptor/describe.h"
-#include "engine/matching/assignment.h"
 #include "engine/mesh/read_mesh.h"
 #include "engine/mesh/write_mesh.h"
 #include "engine/ranking/classification.h"
+#include "tests/benchmarks/limbs.h"
 #include "tests/support/benchmark_data.h"
 #include "tests/support/random.h"
 
 namespace {
 
 using namespace ossuary;
+using benchmarks::Limb;
+using benchmarks::LimbMatch;
+using benchmarks::LimbPlaces;
+using benchmarks::limbs_of;
+using benchmarks::match_places;
 namespace fs = std::filesystem;
 
 constexpr int kPoses = 8;
 constexpr int kKeptOut = 3;  // every third body
 constexpr int kDraws = 40;
-/// Limbs are branches with a free end, of at least this share of the longest.
-constexpr double kLeastLimb = 0.35;
 /// A body takes part when this share of the first body's limbs has a partner on it.
 constexpr double kLeastMatched = 0.75;
 constexpr double kMostSwing = 55.0 / 180.0 * std::numbers::pi;
 constexpr double kMostBend = 60.0 / 180.0 * std::numbers::pi;
-
-struct Limb {
-    std::uint32_t branch = 0;  ///< of the skeleton
-    bool from_a = true;        ///< the body is at the branch's node a
-    std::uint32_t second = 0;  ///< branch of the split skeleton: the outer half
-    Vec3 root, middle, tip;
-};
 
 struct Body {
     std::string id;
@@ -89,144 +85,6 @@ Vec3 turned_at_random(const Vec3& direction, double most, std::mt19937_64& rando
            direction;
 }
 
-/// A branch with one free end as a limb; none otherwise.
-std::optional<Limb> limb_of(const skeleton::SkeletonGraph& skeleton, std::uint32_t index) {
-    const skeleton::SkeletonGraph::Branch& branch = skeleton.branches[index];
-    const bool free_a = skeleton.nodes[branch.a].degree == 1;
-    const bool free_b = skeleton.nodes[branch.b].degree == 1;
-    if (free_a == free_b || branch.points.size() < 3) return std::nullopt;
-    Limb limb;
-    limb.branch = index;
-    limb.from_a = free_b;
-    limb.root = free_b ? branch.points.front() : branch.points.back();
-    limb.tip = free_b ? branch.points.back() : branch.points.front();
-    limb.middle = branch.points[branch.points.size() / 2];
-    return limb;
-}
-
-std::vector<std::uint32_t> limbs_of(const Body& body) {
-    double longest = 0.0;
-    for (const auto& branch : body.skeleton.branches) longest = std::max(longest, branch.length());
-    std::vector<std::uint32_t> limbs;
-    for (std::uint32_t b = 0; b < body.skeleton.branches.size(); ++b) {
-        const bool long_enough = body.skeleton.branches[b].length() >= kLeastLimb * longest;
-        if (long_enough && limb_of(body.skeleton, b)) limbs.push_back(b);
-    }
-    return limbs;
-}
-
-/// The limb's outer half becomes a branch of its own.
-void split_limb(skeleton::SkeletonGraph& graph, Limb& limb) {
-    const auto node = static_cast<std::uint32_t>(graph.nodes.size());
-    skeleton::SkeletonGraph::Branch& inner = graph.branches[limb.branch];
-    const std::size_t half = inner.points.size() / 2;
-    skeleton::SkeletonGraph::Branch outer;
-    const auto at = static_cast<std::ptrdiff_t>(half);
-    if (limb.from_a) {
-        outer = {node,
-                 inner.b,
-                 {inner.points.begin() + at, inner.points.end()},
-                 {inner.radii.begin() + at, inner.radii.end()}};
-        inner.points.resize(half + 1);
-        inner.radii.resize(half + 1);
-        inner.b = node;
-    } else {
-        outer = {inner.a,
-                 node,
-                 {inner.points.begin(), inner.points.begin() + at + 1},
-                 {inner.radii.begin(), inner.radii.begin() + at + 1}};
-        inner.points.erase(inner.points.begin(), inner.points.begin() + at);
-        inner.radii.erase(inner.radii.begin(), inner.radii.begin() + at);
-        inner.a = node;
-    }
-    graph.nodes.push_back({limb.middle, outer.radii.front(), 0.0, 2});
-    limb.second = static_cast<std::uint32_t>(graph.branches.size());
-    graph.branches.push_back(std::move(outer));
-}
-
-/// The limbs of a body with where they begin and end from the middle of them all, over their size.
-struct LimbPlaces {
-    std::vector<Limb> limbs;
-    std::vector<Vec3> places;  ///< root, tip, root, tip …
-
-    LimbPlaces(const Body& body, const std::vector<std::uint32_t>& branches) {
-        for (const std::uint32_t branch : branches) {
-            const std::optional<Limb> limb = limb_of(body.skeleton, branch);
-            if (!limb) continue;
-            limbs.push_back(*limb);
-            places.push_back(limb->root);
-            places.push_back(limb->tip);
-        }
-        Vec3 middle = Vec3::Zero();
-        for (const Vec3& place : places) middle += place / static_cast<double>(places.size());
-        double square = 0.0;
-        for (Vec3& place : places) square += (place -= middle).squaredNorm();
-        const double size = std::sqrt(square / static_cast<double>(places.size()));
-        for (Vec3& place : places) place /= size;
-    }
-};
-
-/// Which of the first body's limbs is which of the other's in a frame, and how far they are apart.
-struct LimbMatch {
-    Mat3 frame = Mat3::Identity();
-    std::vector<std::uint32_t> partner;  ///< of the one with fewer limbs
-    double cost = std::numeric_limits<double>::infinity();
-};
-
-LimbMatch match_in_frame(const LimbPlaces& few, const LimbPlaces& many, const Mat3& frame) {
-    std::vector<float> costs;
-    for (std::size_t i = 0; i < few.limbs.size(); ++i) {
-        for (std::size_t j = 0; j < many.limbs.size(); ++j) {
-            const double root = (frame * few.places[2 * i] - many.places[2 * j]).norm();
-            const double tip = (frame * few.places[2 * i + 1] - many.places[2 * j + 1]).norm();
-            costs.push_back(static_cast<float>(root + tip));
-        }
-    }
-    matching::Assignment assignment;
-    const auto partner = assignment.solve(costs, few.limbs.size(), many.limbs.size());
-    LimbMatch match{frame, {partner.begin(), partner.end()}, 0.0};
-    for (std::size_t i = 0; i < match.partner.size(); ++i) {
-        match.cost += static_cast<double>(costs[i * many.limbs.size() + match.partner[i]]);
-    }
-    return match;
-}
-
-/// The rotation that lays matched limbs over each other.
-Mat3 laid_over(const LimbPlaces& few, const LimbPlaces& many, const LimbMatch& match) {
-    Mat3 covariance = Mat3::Zero();
-    for (std::size_t i = 0; i < match.partner.size(); ++i) {
-        for (std::size_t end = 0; end < 2; ++end) {
-            covariance +=
-                many.places[2 * match.partner[i] + end] * few.places[2 * i + end].transpose();
-        }
-    }
-    const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const bool mirrors = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0;
-    const Vec3 signs(1.0, 1.0, mirrors ? -1.0 : 1.0);
-    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-}
-
-/// The best of many frames to begin with, each settled: left and right are told apart by where
-/// limbs are, which trees of limbs cannot tell.
-LimbMatch match_places(const LimbPlaces& few, const LimbPlaces& many) {
-    constexpr int kFrames = 400;
-    std::mt19937_64 random(1);
-    LimbMatch best;
-    for (int start = 0; start < kFrames; ++start) {
-        const auto next = [&] { return 2.0 * test::next_unit(random) - 1.0; };
-        const Eigen::Quaterniond turn(next(), next(), next(), next());
-        Mat3 frame = Mat3::Identity();
-        if (start > 0) frame = turn.normalized().toRotationMatrix();
-        LimbMatch match;
-        for (int round = 0; round < 6; ++round) {
-            match = match_in_frame(few, many, frame);
-            frame = laid_over(few, many, match);
-        }
-        if (match.cost < best.cost) best = std::move(match);
-    }
-    return best;
-}
-
 /// Spreads weights over about a twenty-fifth of the body, whatever its triangles' size.
 int smoothing_of(const mesh::TriangleMesh& mesh) {
     Box3 box;
@@ -243,7 +101,7 @@ int smoothing_of(const mesh::TriangleMesh& mesh) {
 
 /// Finds the body's partners of the first body's limbs; false where too few have one.
 bool match_limbs(const Body& first, const std::vector<std::uint32_t>& limbs, Body& body) {
-    const LimbPlaces ours(first, limbs), theirs(body, limbs_of(body));
+    const LimbPlaces ours(first.skeleton, limbs), theirs(body.skeleton, limbs_of(body.skeleton));
     if (theirs.limbs.size() < 2) return false;
     const bool we_are_fewer = ours.limbs.size() <= theirs.limbs.size();
     const LimbMatch match = we_are_fewer ? match_places(ours, theirs) : match_places(theirs, ours);
@@ -252,7 +110,7 @@ bool match_limbs(const Body& first, const std::vector<std::uint32_t>& limbs, Bod
     for (std::size_t i = 0; i < match.partner.size(); ++i) {
         const std::size_t our = we_are_fewer ? i : match.partner[i];
         Limb limb = theirs.limbs[we_are_fewer ? match.partner[i] : i];
-        split_limb(body.split, limb);
+        benchmarks::split_limb(body.split, limb);
         body.limbs.emplace(limbs[our], limb);
     }
     const auto wanted = kLeastMatched * static_cast<double>(limbs.size());
@@ -384,7 +242,7 @@ struct Labels {
 /// Poses the bodies of one class; their numbers begin with `next`.
 void articulate(const std::string& name, std::vector<Body> all, const fs::path& destination,
                 int& next, std::map<std::string, Labels>& labels) {
-    const std::vector<std::uint32_t> limbs = limbs_of(all.front());
+    const std::vector<std::uint32_t> limbs = limbs_of(all.front().skeleton);
     std::vector<Body> bodies;
     for (Body& body : all) {
         if (match_limbs(bodies.empty() ? body : bodies.front(), limbs, body)) {
