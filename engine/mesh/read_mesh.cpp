@@ -109,11 +109,19 @@ Result<ReadMeshResult> finish_reading(ReadMeshResult read, std::string_view name
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 19> kExtensions = {
-        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff", ".stl", ".obj", ".ply", ".xyz",
-        ".pts", ".asc",  ".3mf",  ".gltf",  ".glb",   ".dae",   ".x3d", ".amf", ".fbx"};
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::array<std::string_view, 23> kExtensions = {
+        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff",  ".stl", ".obj",
+        ".ply", ".xyz",  ".pts",  ".asc",   ".3mf",   ".gltf",   ".glb", ".dae",
+        ".x3d", ".amf",  ".fbx",  ".nrrd",  ".nii",   ".binvox", ".npy"};
+    const auto lower_extension = [](const std::filesystem::path& name) {
+        std::string extension = name.extension().string();
+        for (char& c : extension) {
+            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        }
+        return extension;
+    };
+    std::string extension = lower_extension(path);
+    if (extension == ".gz") extension = lower_extension(path.stem());
     return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/whole_file.h"
+#include "engine/voxel/volume_values.h"
 
 namespace ossuary::voxel {
 namespace {
@@ -164,23 +165,49 @@ Result<std::string_view> split_header(std::string_view& bytes, const std::string
     return text;
 }
 
-}  // namespace
+struct NpyType {
+    std::string_view descr;
+    VoxelType type;
+    std::endian order = std::endian::little;
+};
+constexpr std::array<NpyType, 7> kByteTypes = {{{"|b1", VoxelType::kUint8},
+                                                {"|u1", VoxelType::kUint8},
+                                                {"|i1", VoxelType::kInt8},
+                                                {"<u1", VoxelType::kUint8},
+                                                {"<i1", VoxelType::kInt8},
+                                                {"=u1", VoxelType::kUint8},
+                                                {"?", VoxelType::kUint8}}};
+constexpr std::array<NpyType, 16> kWiderTypes = {{{"<u2", VoxelType::kUint16},
+                                                  {"<i2", VoxelType::kInt16},
+                                                  {"<u4", VoxelType::kUint32},
+                                                  {"<i4", VoxelType::kInt32},
+                                                  {"<u8", VoxelType::kUint64},
+                                                  {"<i8", VoxelType::kInt64},
+                                                  {"<f4", VoxelType::kFloat32},
+                                                  {"<f8", VoxelType::kFloat64},
+                                                  {">u2", VoxelType::kUint16, std::endian::big},
+                                                  {">i2", VoxelType::kInt16, std::endian::big},
+                                                  {">u4", VoxelType::kUint32, std::endian::big},
+                                                  {">i4", VoxelType::kInt32, std::endian::big},
+                                                  {">u8", VoxelType::kUint64, std::endian::big},
+                                                  {">i8", VoxelType::kInt64, std::endian::big},
+                                                  {">f4", VoxelType::kFloat32, std::endian::big},
+                                                  {">f8", VoxelType::kFloat64, std::endian::big}}};
 
-Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
+/// Null where there is no such type, or none of one byte.
+const NpyType* type_of(std::string_view descr, bool bytes_only) {
+    const auto find = [&](const auto& types) -> const NpyType* {
+        for (const NpyType& type : types) {
+            if (type.descr == descr) return &type;
+        }
+        return nullptr;
+    };
+    const NpyType* const byte_type = find(kByteTypes);
+    return byte_type != nullptr || bytes_only ? byte_type : find(kWiderTypes);
+}
+
+Result<Vec3i> size_of_shape(const std::vector<std::uint64_t>& shape, const std::string& where,
                             const NpyOptions& options) {
-    const std::string where = std::string(name) + ": ";
-    auto text = split_header(bytes, where);
-    if (!text) return text.error();
-    HeaderParser parser(*text);
-    const std::optional<Header> header = parser.parse();
-    if (!header) return {ErrorCode::kNpyInvalid, where + "header: " + parser.problem()};
-    static constexpr std::array<std::string_view, 7> kTypes = {"|b1", "|u1", "|i1", "<u1",
-                                                               "<i1", "=u1", "?"};
-    if (std::find(kTypes.begin(), kTypes.end(), header->descr) == kTypes.end()) {
-        return {ErrorCode::kNpyInvalid, where + "found the type '" + header->descr +
-                                            "', expected bool, uint8 or int8 (|b1, |u1, |i1)"};
-    }
-    const auto& shape = header->shape;
     if (shape.size() != 3 || std::find(shape.begin(), shape.end(), 0u) != shape.end()) {
         return {ErrorCode::kNpyInvalid, where + "found the shape " + shape_text(shape) +
                                             ", expected three sides of at least 1"};
@@ -196,32 +223,58 @@ Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
         }
         voxels *= side;
     }
-    if (bytes.size() != voxels) {
-        return {ErrorCode::kNpyInvalid, where + "found " + std::to_string(bytes.size()) +
-                                            " bytes of values, expected " + std::to_string(voxels) +
-                                            " for the shape " + shape_text(shape)};
+    return Vec3i(static_cast<int>(shape[0]), static_cast<int>(shape[1]),
+                 static_cast<int>(shape[2]));
+}
+
+Result<Volume> parse_array(std::string_view bytes, std::string_view name, const NpyOptions& options,
+                           bool bytes_only) {
+    const std::string where = std::string(name) + ": ";
+    auto text = split_header(bytes, where);
+    if (!text) return text.error();
+    HeaderParser parser(*text);
+    const std::optional<Header> header = parser.parse();
+    if (!header) return {ErrorCode::kNpyInvalid, where + "header: " + parser.problem()};
+    const NpyType* const type = type_of(header->descr, bytes_only);
+    if (type == nullptr) {
+        return {ErrorCode::kNpyInvalid,
+                where + "found the type '" + header->descr + "', expected " +
+                    (bytes_only ? "bool, uint8 or int8 (|b1, |u1, |i1)"
+                                : "bool, an integer or a real number of 4 or 8 bytes")};
     }
-    const Vec3i size(static_cast<int>(shape[0]), static_cast<int>(shape[1]),
-                     static_cast<int>(shape[2]));
-    BitVolume volume(size);
-    std::size_t i = 0;
-    if (header->fortran_order) {
-        for (int z = 0; z < size.z(); ++z) {
-            for (int y = 0; y < size.y(); ++y) {
-                for (int x = 0; x < size.x(); ++x) {
-                    if (bytes[i++] != 0) volume.set(x, y, z);
-                }
-            }
-        }
-    } else {
-        for (int x = 0; x < size.x(); ++x) {
-            for (int y = 0; y < size.y(); ++y) {
-                for (int z = 0; z < size.z(); ++z) {
-                    if (bytes[i++] != 0) volume.set(x, y, z);
-                }
-            }
-        }
+    const Result<Vec3i> size = size_of_shape(header->shape, where, options);
+    if (!size) return size.error();
+    Volume volume;
+    volume.size = *size;
+    volume.type = type->type;
+    volume.order = type->order;
+    volume.last_axis_fastest = !header->fortran_order;
+    volume.origin = Vec3::Constant(0.5);
+    const std::uint64_t expected = volume.voxel_count() * size_of(volume.type);
+    if (bytes.size() != expected) {
+        return {ErrorCode::kNpyInvalid,
+                where + "found " + std::to_string(bytes.size()) + " bytes of values, expected " +
+                    std::to_string(expected) + " for the shape " + shape_text(header->shape)};
     }
+    volume.values = bytes;
+    return volume;
+}
+
+}  // namespace
+
+Result<Volume> read_npy_volume(std::string_view bytes, std::string_view name,
+                               const VolumeOptions& options, const std::stop_token&) {
+    return parse_array(bytes, name, {options.max_voxels, options.max_side}, false);
+}
+
+Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
+                            const NpyOptions& options) {
+    const Result<Volume> array = parse_array(bytes, name, options, true);
+    if (!array) return array.error();
+    BitVolume volume(array->size);
+    static_cast<void>(visit_values(*array, {}, [&](const Vec3i& voxel, double value) {
+        if (value != 0) volume.set(voxel);
+    }));
     return volume;
 }
 

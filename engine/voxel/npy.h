@@ -8,6 +8,7 @@
 
 #include "engine/core/result.h"
 #include "engine/voxel/bit_volume.h"
+#include "engine/voxel/volume.h"
 
 namespace ossuary::voxel {
 
@@ -24,6 +25,11 @@ struct NpyOptions {
 Result<BitVolume> parse_npy(std::string_view bytes, std::string_view name,
                             const NpyOptions& options = {});
 Result<BitVolume> read_npy(const std::filesystem::path& path, const NpyOptions& options = {});
+
+/// The same with the values as they are, of integers and real numbers too. Voxels are of size 1 and
+/// lie from the origin on. Errors: npy_invalid, volume_too_large.
+Result<Volume> read_npy_volume(std::string_view bytes, std::string_view name,
+                               const VolumeOptions& options = {}, const std::stop_token& stop = {});
 
 /// The volume as version 1.0, uint8 (0 and 1), C order, array[x, y, z].
 [[nodiscard]] std::string format_npy(const BitVolume& volume);

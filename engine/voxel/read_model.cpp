@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/inflate.h"
 #include "engine/core/whole_file.h"
 #include "engine/mesh/inspect.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/mesh_builder.h"
+#include "engine/voxel/volume.h"
+#include "engine/voxel/volume_surface.h"
 
 namespace ossuary::voxel {
 namespace {
@@ -71,6 +74,21 @@ Result<mesh::ReadMeshResult> named(Result<mesh::ReadMeshResult> result, std::str
     return {result.error().code, std::string(name) + ": " + result.error().message};
 }
 
+Result<mesh::ReadMeshResult> read_unpacked(std::string_view bytes, std::string_view name,
+                                           const ReadModelOptions& options,
+                                           const std::stop_token& stop) {
+    if (looks_like_volume(bytes)) {
+        const Result<Volume> volume = read_volume(bytes, name, {}, stop);
+        if (!volume) return volume.error();
+        Result<VolumeSurface> surface = volume_surface(*volume, {}, stop);
+        if (!surface) return named(surface.error(), name);
+        return named(made(std::move(surface->mesh), std::move(surface->warnings), options), name);
+    }
+    Result<mesh::ReadMeshResult> read = mesh::read_mesh(bytes, name, options.mesh, stop);
+    if (!read || !is_point_set(read->mesh)) return read;
+    return named(wrap(*std::move(read), options, stop), name);
+}
+
 }  // namespace
 
 Result<mesh::ReadMeshResult> read_model(const std::filesystem::path& path,
@@ -84,9 +102,10 @@ Result<mesh::ReadMeshResult> read_model(const std::filesystem::path& path,
 Result<mesh::ReadMeshResult> read_model(std::string_view bytes, std::string_view name,
                                         const ReadModelOptions& options,
                                         const std::stop_token& stop) {
-    Result<mesh::ReadMeshResult> read = mesh::read_mesh(bytes, name, options.mesh, stop);
-    if (!read || !is_point_set(read->mesh)) return read;
-    return named(wrap(*std::move(read), options, stop), name);
+    if (!looks_like_gzip(bytes)) return read_unpacked(bytes, name, options, stop);
+    const Result<WholeFile> unpacked = gunzip(bytes, name, {}, stop);
+    if (!unpacked) return unpacked.error();
+    return read_unpacked(unpacked->view(), name, options, stop);
 }
 
 }  // namespace ossuary::voxel

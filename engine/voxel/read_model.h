@@ -17,8 +17,9 @@ struct ReadModelOptions {
 
 /// Reads whatever may be a model as a mesh, by its contents: what read_mesh takes; of files that
 /// hold points and no face, the surface that the points lie on (wrap_points.h; warning
-/// points_wrapped, and stray_points where some were left out).
-/// Errors: those of read_mesh and wrap_points.
+/// points_wrapped, and stray_points where some were left out); of volumes, the surface of what is
+/// inside (volume.h, volume_surface.h). Each may be packed as gzip data.
+/// Errors: those of read_mesh, wrap_points, gunzip, read_volume and volume_surface.
 Result<mesh::ReadMeshResult> read_model(const std::filesystem::path& path,
                                         const ReadModelOptions& options = {},
                                         const std::stop_token& stop = {});

@@ -36,6 +36,7 @@ adapters=(
     'CLI/|^(index/cli|server)/'
     'nlohmann/|^(index|server)/'
     'tbb/|^engine/core/'
+    'zlib\.h|^engine/core/'
     '(Common/NMR_|Model/COM/|tiny_gltf|draco/|seccomp|zip\.h|assimp/)|^index/reader/'
 )
 

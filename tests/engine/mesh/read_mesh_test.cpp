@@ -83,11 +83,13 @@ TEST_F(ReadMesh, RefusesSixtyMegabytesOfNonsenseQuickly) {
 }
 
 TEST_F(ReadMesh, PicksModelFilesByExtensionInAnyCase) {
-    for (const char* name : {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off",
-                             "f.stl", "F.STL", "g.obj", "h.ply"}) {
+    for (const char* name :
+         {"a.off", "A.OFF", "b.Off", "c.coff", "d.NOFF", "e.stoff", ".x.off", "f.stl", "F.STL",
+          "g.obj", "h.ply", "a.off.gz", "B.Nii.GZ", "c.nrrd"}) {
         EXPECT_TRUE(mesh::is_model_file(name)) << name;
     }
-    for (const char* name : {"a.step", "off", ".off", "a.off.gz", "a.offx", "a.expect", "a", ""}) {
+    for (const char* name :
+         {"a.step", "off", ".off", "a.tar.gz", "a.gz", "a.offx", "a.expect", "a", ""}) {
         EXPECT_FALSE(mesh::is_model_file(name)) << name;
     }
 }
