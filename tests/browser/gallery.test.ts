@@ -200,7 +200,12 @@ describe('the 3D comparison', () => {
         };
         await page.locator('.match-summary').hover();
         const before = await pictures();
-        await page.locator('.match-table tbody tr').first().hover();
+        const row = page.locator('.match-table tbody tr').first();
+        // Whole, wherever the table begins: what is cut off by half counts as visible already.
+        await row.evaluate((node) => {
+            node.scrollIntoView({ block: 'center' });
+        });
+        await row.hover();
         await page.locator('.match-table tr.chosen').waitFor();
         const during = await pictures();
         await page.locator('.match-summary').hover();

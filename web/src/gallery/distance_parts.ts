@@ -10,7 +10,9 @@ export interface PartShare {
     index: number;
 }
 
-/** Parts of a distance as shares of their sum; what is negative or no number has no share. */
+/**
+ * The named parts of a distance as shares of the sum of all; what is negative or no number has no share.
+ */
 export function partShares(
     parts: Readonly<Record<string, number>>,
     names: readonly string[] = Object.keys(parts),
@@ -18,6 +20,7 @@ export function partShares(
     const weight = (value: number): number => (Number.isFinite(value) && value > 0 ? value : 0);
     const sum = Object.values(parts).reduce((total, value) => total + weight(value), 0);
     return Object.entries(parts)
+        .filter(([name]) => names.includes(name))
         .map(([name, value]) => ({
             name,
             value,
@@ -27,9 +30,13 @@ export function partShares(
         .sort((a, b) => a.index - b.index);
 }
 
-/** Names of all parts that any of the hits has, in the order of their first appearance. */
-export function partNames(hits: readonly { parts: Record<string, number> }[]): string[] {
-    return [...new Set(hits.flatMap((hit) => Object.keys(hit.parts)))];
+/**
+ * Names of all parts that count at any of the hits, in the order of their first appearance. Those of which
+ * the ranker takes nothing, such as the pose of a search by build alone, are 0 at all of them.
+ */
+export function partNames(hits: readonly { parts: Readonly<Record<string, number>> }[]): string[] {
+    const names = new Set(hits.flatMap((hit) => Object.keys(hit.parts)));
+    return [...names].filter((name) => hits.some((hit) => (hit.parts[name] ?? 0) !== 0));
 }
 
 export const kPartColors = 8;

@@ -1,13 +1,13 @@
-import { partClass, partShares } from './distance_parts';
+import { partClass, partNames, partShares } from './distance_parts';
 import { element } from '../page/element';
 import { capitalise, formatDistance, formatName } from '../page/format';
 
-/** The parts of a distance, each with its value and its share as a bar. */
+/** The parts of a distance that count, each with its value and its share as a bar. */
 export function partsList(parts: Readonly<Record<string, number>>): HTMLElement {
     return element(
         'dl',
         { class: 'parts-list', 'aria-label': 'Parts of the distance' },
-        partShares(parts).map(({ name, value, share, index }) =>
+        partShares(parts, partNames([{ parts }])).map(({ name, value, share, index }) =>
             element(
                 'div',
                 { class: partClass(index), '--share': share.toFixed(4) },

@@ -41,6 +41,14 @@ describe('partNames', () => {
         const hits = [hit(1, { parts: { b: 1, a: 1 } }), hit(2, { parts: { a: 1, c: 1 } })];
         expect(partNames(hits)).toEqual(['b', 'a', 'c']);
     });
+
+    it('leaves out what no hit has anything of', () => {
+        const hits = [
+            hit(1, { parts: { build: 0, skeleton: 0, pose: 0 } }),
+            hit(2, { parts: { build: 0, skeleton: 1, pose: 0 } }),
+        ];
+        expect(partNames(hits)).toEqual(['skeleton']);
+    });
 });
 
 describe('partClass', () => {
