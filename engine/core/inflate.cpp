@@ -56,7 +56,7 @@ Result<std::uint64_t> unpack(std::string_view bytes, const UnpackCaps& caps,
     std::string_view left = bytes;
     std::uint64_t unpacked = 0;
     const auto invalid = [&](const std::string& what) {
-        return Error{ErrorCode::kFormatUnsupported,
+        return Error{ErrorCode::kGzipInvalid,
                      "byte " + std::to_string(bytes.size() - left.size()) + ": " + what};
     };
     std::size_t free_bytes = 0;

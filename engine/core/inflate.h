@@ -27,7 +27,7 @@ struct UnpackCaps {
 
 /// Unpacks gzip data (RFC 1952), all members one after the other; checksums are checked. `name`
 /// stands for the file in messages.
-/// Errors: format_unsupported (damaged, cut off, something else after the last member),
+/// Errors: gzip_invalid (damaged, cut off, something else after the last member),
 /// file_too_large (beyond the caps; found while unpacking, whatever the data announce),
 /// out_of_memory, cancelled.
 Result<WholeFile> gunzip(std::string_view bytes, std::string_view name, const UnpackCaps& caps = {},

@@ -147,7 +147,7 @@ public:
 
 private:
     [[nodiscard]] Error invalid(const std::string& what) const {
-        return {ErrorCode::kNpyInvalid, "line " + std::to_string(line_) + ": " + what};
+        return {ErrorCode::kNrrdInvalid, "line " + std::to_string(line_) + ": " + what};
     }
     [[nodiscard]] std::optional<std::string_view> next_line();
     Result<void> read_field(const std::string& key, std::string_view value);
@@ -236,7 +236,7 @@ Result<void> HeaderReader::read_encoding(std::string_view value) {
 
 Result<void> HeaderReader::read_field(const std::string& key, std::string_view value) {
     if (key == "data file" || key == "datafile") {
-        return {ErrorCode::kFormatUnsupported,
+        return {ErrorCode::kVolumeDetached,
                 "line " + std::to_string(line_) +
                     ": expected the values in the same file, found them "
                     "in " +

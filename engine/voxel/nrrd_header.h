@@ -25,7 +25,7 @@ struct NrrdHeader {
 };
 
 /// Reads a header up to the empty line after it. Messages name the line, not the file.
-/// Errors: npy_invalid, format_unsupported (the values lie in another file, which is named).
+/// Errors: nrrd_invalid, volume_detached (the values lie in another file, which is named).
 Result<NrrdHeader> read_nrrd_header(std::string_view bytes);
 
 }  // namespace ossuary::voxel

@@ -18,7 +18,7 @@ struct BinvoxHeader {
 };
 
 Error invalid_binvox(const std::string& where, const std::string& what) {
-    return {ErrorCode::kNpyInvalid, where + ": " + what};
+    return {ErrorCode::kBinvoxInvalid, where + ": " + what};
 }
 
 Result<double> read_real(mesh::TextScanner& scanner) {

@@ -73,7 +73,7 @@ std::optional<VoxelType> type_of(int code) {
 }
 
 Error invalid_nifti(std::size_t byte, const std::string& what) {
-    return {ErrorCode::kNpyInvalid, "byte " + std::to_string(byte) + ": " + what};
+    return {ErrorCode::kNiftiInvalid, "byte " + std::to_string(byte) + ": " + what};
 }
 
 /// The frame by the matrix of the header (method 3).

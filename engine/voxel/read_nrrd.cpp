@@ -12,7 +12,7 @@ namespace ossuary::voxel {
 namespace {
 
 Error invalid_data(std::size_t byte, const std::string& what) {
-    return {ErrorCode::kNpyInvalid, "byte " + std::to_string(byte) + ": " + what};
+    return {ErrorCode::kNrrdInvalid, "byte " + std::to_string(byte) + ": " + what};
 }
 
 /// What is left of the data after the lines and bytes that the header says to skip.

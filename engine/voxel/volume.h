@@ -63,27 +63,26 @@ struct VolumeOptions {
 
 /// Reads a volume, whatever its format; `name` stands for the file in messages, which say where in
 /// it and what was expected. `bytes` must outlive the result.
-/// Errors: those of the format; format_unknown. What is wrong with a volume of any format has the
-/// code of the first one that was read, npy_invalid.
+/// Errors: those of the format; format_unknown.
 Result<Volume> read_volume(std::string_view bytes, std::string_view name,
                            const VolumeOptions& options = {}, const std::stop_token& stop = {});
 
 /// Nearly Raw Raster Data (teem's definition, NRRD0001 to NRRD0005): three axes, others of one
 /// sample; types from int8 to double; encodings raw, ascii and gzip; `spacings`, or `space
 /// directions` and `space origin`; `space units`; `line skip` and `byte skip`.
-/// Errors: npy_invalid (with the line), format_unsupported (the values lie in another file, which
+/// Errors: nrrd_invalid (with the line), volume_detached (the values lie in another file, which
 /// is named), volume_too_large, those of gunzip, cancelled.
 Result<Volume> read_nrrd(std::string_view bytes, std::string_view name,
                          const VolumeOptions& options = {}, const std::stop_token& stop = {});
 
 /// NIfTI-1 in one file (Cox et al., 2004), in either byte order: three axes, others of one sample;
 /// integers and floats with slope and intercept; placed by sform, else qform, else by the spacing.
-/// Errors: npy_invalid (with the byte), format_unsupported (NIfTI-2), volume_too_large.
+/// Errors: nifti_invalid (with the byte), format_unsupported (NIfTI-2), volume_too_large.
 Result<Volume> read_nifti(std::string_view bytes, std::string_view name,
                           const VolumeOptions& options = {}, const std::stop_token& stop = {});
 
 /// Patrick Min's binvox, version 1: runs of set and clear voxels, `translate` and `scale`.
-/// Errors: npy_invalid (with the line or the byte), volume_too_large, cancelled.
+/// Errors: binvox_invalid (with the line or the byte), volume_too_large, cancelled.
 Result<Volume> read_binvox(std::string_view bytes, std::string_view name,
                            const VolumeOptions& options = {}, const std::stop_token& stop = {});
 

@@ -135,36 +135,36 @@ TEST(ReadNrrd, KnowsWhereVoxelsLie) {
 TEST(ReadNrrd, RefusesWithLineAndCode) {
     using enum ErrorCode;
     const std::string raw = "encoding: raw\nendian: little\n";
-    expect_refused(nrrd(kSmall + "data file: values.raw\n" + raw, ""), kFormatUnsupported,
+    expect_refused(nrrd(kSmall + "data file: values.raw\n" + raw, ""), kVolumeDetached,
                    "line 6: expected the values in the same file, found them in 'values.raw'");
-    expect_refused(nrrd(kSmall + "datafile: LIST\n" + raw, ""), kFormatUnsupported, "'LIST'");
-    expect_refused("NRRD0009\n\n", kNpyInvalid, "line 1");
-    expect_refused(nrrd(kSmall + "encoding: bzip2\n", ""), kNpyInvalid, "'bzip2'");
-    expect_refused(nrrd("type: block\n", ""), kNpyInvalid, "line 3: type");
-    expect_refused(nrrd(kSmall + "encoding: raw\n", bytes_of(kSix)), kNpyInvalid, "endian");
-    expect_refused(nrrd(kSmall + raw, bytes_of(kSix).substr(1)), kNpyInvalid,
+    expect_refused(nrrd(kSmall + "datafile: LIST\n" + raw, ""), kVolumeDetached, "'LIST'");
+    expect_refused("NRRD0009\n\n", kNrrdInvalid, "line 1");
+    expect_refused(nrrd(kSmall + "encoding: bzip2\n", ""), kNrrdInvalid, "'bzip2'");
+    expect_refused(nrrd("type: block\n", ""), kNrrdInvalid, "line 3: type");
+    expect_refused(nrrd(kSmall + "encoding: raw\n", bytes_of(kSix)), kNrrdInvalid, "endian");
+    expect_refused(nrrd(kSmall + raw, bytes_of(kSix).substr(1)), kNrrdInvalid,
                    "expected 12 bytes for 2 x 1 x 3 voxels, found 11");
-    expect_refused(nrrd(kSmall + "encoding: txt\n", "1 2 3 4 5"), kNpyInvalid,
+    expect_refused(nrrd(kSmall + "encoding: txt\n", "1 2 3 4 5"), kNrrdInvalid,
                    "expected 6 numbers, the file ends after 5");
-    expect_refused(nrrd(kSmall + "encoding: txt\n", "1 2 3 4 5 six"), kNpyInvalid, "'six'");
-    expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 2 2\n" + raw, ""), kNpyInvalid,
+    expect_refused(nrrd(kSmall + "encoding: txt\n", "1 2 3 4 5 six"), kNrrdInvalid, "'six'");
+    expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 2 2\n" + raw, ""), kNrrdInvalid,
                    "expected 3 sizes, found 2");
-    expect_refused(nrrd("type: uchar\ndimension: 2\nsizes: 2 2\n" + raw, "1234"), kNpyInvalid,
+    expect_refused(nrrd("type: uchar\ndimension: 2\nsizes: 2 2\n" + raw, "1234"), kNrrdInvalid,
                    "three axes");
-    expect_refused(nrrd("type: uchar\ndimension: 4\nsizes: 2 2 2 2\n" + raw, "1234"), kNpyInvalid,
+    expect_refused(nrrd("type: uchar\ndimension: 4\nsizes: 2 2 2 2\n" + raw, "1234"), kNrrdInvalid,
                    "three axes");
-    expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 0 2 2\n" + raw, ""), kNpyInvalid,
+    expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 0 2 2\n" + raw, ""), kNrrdInvalid,
                    "line 5: sizes");
     expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 5000 2 2\n" + raw, ""), kVolumeTooLarge,
                    "5000 x 2 x 2");
     expect_refused(nrrd("type: uchar\ndimension: 3\nsizes: 4000 4000 4000\n" + raw, ""),
                    kVolumeTooLarge, "4000");
     expect_refused(nrrd(kSmall + "space directions: (1,0,0) (2,0,0) (0,0,1)\n" + raw, ""),
-                   kNpyInvalid, "span space");
-    expect_refused(nrrd(kSmall + "encoding: gzip\nendian: little\n", "no gzip"), kFormatUnsupported,
+                   kNrrdInvalid, "span space");
+    expect_refused(nrrd(kSmall + "encoding: gzip\nendian: little\n", "no gzip"), kGzipInvalid,
                    "gzip");
-    expect_refused("NRRD0004\ntype: uchar\n", kNpyInvalid, "empty line");
-    expect_refused(nrrd("no colon\n", ""), kNpyInvalid, "line 3: expected a field");
+    expect_refused("NRRD0004\ntype: uchar\n", kNrrdInvalid, "empty line");
+    expect_refused(nrrd("no colon\n", ""), kNrrdInvalid, "line 3: expected a field");
 }
 
 TEST(ReadNrrd, SurvivesCutsAndDamage) {
@@ -245,25 +245,29 @@ TEST(ReadNifti, KnowsWhereVoxelsLie) {
 TEST(ReadNifti, RefusesWithPlaceAndCode) {
     using enum ErrorCode;
     Nifti file = nifti(2);
-    expect_refused(file.bytes + "12345", kNpyInvalid, "byte 352: expected 6 bytes");
+    expect_refused(file.bytes + "12345", kNiftiInvalid, "byte 352: expected 6 bytes");
     const auto changed = [](auto change) {
         Nifti other = nifti(2);
         other.bytes += "123456";
         change(other);
         return other.bytes;
     };
-    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(40, {2}); }), kNpyInvalid, "byte 40");
+    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(40, {2}); }), kNiftiInvalid,
+                   "byte 40");
     expect_refused(changed([](Nifti& n) {
                        n.put<std::int16_t>(40, {4, 2, 1, 3, 2});
                    }),
-                   kNpyInvalid, "axis 4: expected 1 sample, found 2");
-    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(42, {-2}); }), kNpyInvalid,
+                   kNiftiInvalid, "axis 4: expected 1 sample, found 2");
+    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(42, {-2}); }), kNiftiInvalid,
                    "byte 42");
-    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(70, {128}); }), kNpyInvalid,
+    expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(70, {128}); }), kNiftiInvalid,
                    "data type 128");
-    expect_refused(changed([](Nifti& n) { n.put<float>(108, {1e9F}); }), kNpyInvalid, "byte 108");
-    expect_refused(changed([](Nifti& n) { n.put<float>(80, {0, 0, 0}); }), kNpyInvalid, "byte 76");
-    expect_refused(changed([](Nifti& n) { n.bytes.replace(344, 3, "ni1"); }), kNpyInvalid,
+    expect_refused(changed([](Nifti& n) { n.put<float>(108, {1e9F}); }), kNiftiInvalid, "byte 108");
+    expect_refused(changed([](Nifti& n) {
+                       n.put<float>(80, {0, 0, 0});
+                   }),
+                   kNiftiInvalid, "byte 76");
+    expect_refused(changed([](Nifti& n) { n.bytes.replace(344, 3, "ni1"); }), kNiftiInvalid,
                    "a header alone");
     expect_refused(changed([](Nifti& n) { n.put<std::int16_t>(42, {5000}); }), kVolumeTooLarge,
                    "5000");
@@ -303,18 +307,18 @@ TEST(ReadBinvox, RefusesWithPlaceAndCode) {
     using enum ErrorCode;
     const std::string eight("\x01\x08", 2);
     EXPECT_TRUE(voxel::read_volume(binvox(eight), "file"));
-    expect_refused(binvox(std::string("\x01\x07", 2)), kNpyInvalid,
+    expect_refused(binvox(std::string("\x01\x07", 2)), kBinvoxInvalid,
                    "expected runs of 8 voxels, the file ends after 7");
-    expect_refused(binvox(std::string("\x01\x09", 2)), kNpyInvalid, "at most 8");
-    expect_refused(binvox(eight, "0 2 2"), kNpyInvalid, "line 2");
-    expect_refused(binvox(eight, "2 two 2"), kNpyInvalid, "line 2");
+    expect_refused(binvox(std::string("\x01\x09", 2)), kBinvoxInvalid, "at most 8");
+    expect_refused(binvox(eight, "0 2 2"), kBinvoxInvalid, "line 2");
+    expect_refused(binvox(eight, "2 two 2"), kBinvoxInvalid, "line 2");
     expect_refused(binvox(eight, "4096 4096 4096"), kVolumeTooLarge, "4096");
-    expect_refused(binvox(eight, "600 600 600"), kNpyInvalid, "the file ends");
-    expect_refused("#binvox 2\ndim 2 2 2\ndata\n" + eight, kNpyInvalid, "line 1");
-    expect_refused("#binvox 1\ndata\n" + eight, kNpyInvalid, "expected dim before data");
-    expect_refused("#binvox 1\ndim 2 2 2\nscale 0\ndata\n" + eight, kNpyInvalid, "scale");
-    expect_refused("#binvox 1\ndim 2 2 2\ncolor 1\ndata\n" + eight, kNpyInvalid, "'color'");
-    expect_refused("#binvox 1\ndim 2 2 2\n", kNpyInvalid, "ends with data");
+    expect_refused(binvox(eight, "600 600 600"), kBinvoxInvalid, "the file ends");
+    expect_refused("#binvox 2\ndim 2 2 2\ndata\n" + eight, kBinvoxInvalid, "line 1");
+    expect_refused("#binvox 1\ndata\n" + eight, kBinvoxInvalid, "expected dim before data");
+    expect_refused("#binvox 1\ndim 2 2 2\nscale 0\ndata\n" + eight, kBinvoxInvalid, "scale");
+    expect_refused("#binvox 1\ndim 2 2 2\ncolor 1\ndata\n" + eight, kBinvoxInvalid, "'color'");
+    expect_refused("#binvox 1\ndim 2 2 2\n", kBinvoxInvalid, "ends with data");
 }
 
 TEST(ReadBinvox, SurvivesCutsAndDamage) {
