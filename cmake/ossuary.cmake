@@ -43,6 +43,9 @@ function(ossuary_configure_target target)
     target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR})
 endfunction()
 
+# All libraries, for scripts/one-definition.
+add_custom_target(ossuary_libraries)
+
 # ossuary_add_library(name SOURCES … [PUBLIC libs…] [PRIVATE libs…])
 # A library without .cpp files becomes an INTERFACE library.
 function(ossuary_add_library name)
@@ -51,6 +54,7 @@ function(ossuary_add_library name)
     list(FILTER compiled INCLUDE REGEX "\\.cpp$")
     if(compiled)
         add_library(${name} STATIC ${arg_SOURCES})
+        add_dependencies(ossuary_libraries ${name})
         ossuary_configure_target(${name})
         target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     else()
