@@ -150,6 +150,7 @@ Result<DecompositionMethod> parse_decomposition_method(std::string_view name) {
 skeleton::SkeletonizeOptions decomposition_skeleton_options() {
     skeleton::SkeletonizeOptions options;
     options.voxelize.resolution = kResolution;
+    options.refine.significance = false;
     return options;
 }
 

@@ -19,7 +19,8 @@
 namespace ossuary::decomposition {
 
 /// The skeleton that a decomposition asks: coarser than retrieval's, which costs a third of the
-/// time and leaves the Rand index error where it is.
+/// time and leaves the Rand index error where it is, and without significances, which nothing of it
+/// looks at.
 [[nodiscard]] skeleton::SkeletonizeOptions decomposition_skeleton_options();
 
 enum class DecompositionMethod {

@@ -32,6 +32,22 @@ struct Options {
     RankingOptions ranking;
 };
 
+/// One evaluation as one JSON object, several as a list; tables by `print` where no JSON is asked
+/// for.
+template <typename OneOfThem, typename Print>
+void print_all(const Session& session, const std::vector<OneOfThem>& evaluations,
+               const Print& print) {
+    if (!session.json) {
+        for (const OneOfThem& evaluation : evaluations) print(evaluation);
+    } else if (evaluations.size() == 1) {
+        print_json(index::to_json(evaluations.front()));
+    } else {
+        nlohmann::json list = nlohmann::json::array();
+        for (const OneOfThem& evaluation : evaluations) list.push_back(index::to_json(evaluation));
+        print_json(list);
+    }
+}
+
 std::vector<std::string> metric_cells(const ranking::RetrievalMetrics& m) {
     std::vector<std::string> cells;
     for (const double value : {m.nearest_neighbor, m.first_tier, m.second_tier, m.e_measure, m.dcg,
@@ -137,18 +153,22 @@ void print_build_and_pose(const index::BuildAndPose& evaluation) {
     }
 }
 
-Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& options,
-                                                            const Session& session,
-                                                            const index::Snapshot& snapshot) {
-    const Result<std::vector<ranking::RankOptions>> ranks =
-        options.ranking.rank_options(session.jobs);
-    if (!ranks.ok()) return ranks.error();
+Result<index::BuildAndPoseOptions> read_build_and_pose(const Options& options) {
     Result<ranking::Classification> builds =
         ranking::read_classification(options.build_classes_path);
     if (!builds.ok()) return builds.error();
     Result<ranking::Classification> poses = ranking::read_classification(options.pose_classes_path);
     if (!poses.ok()) return poses.error();
-    index::BuildAndPoseOptions asked{*std::move(builds), *std::move(poses), {}};
+    return index::BuildAndPoseOptions{*std::move(builds), *std::move(poses), {}};
+}
+
+Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& options,
+                                                            const Session& session,
+                                                            const index::Snapshot& snapshot,
+                                                            index::BuildAndPoseOptions asked) {
+    const Result<std::vector<ranking::RankOptions>> ranks =
+        options.ranking.rank_options(session.jobs);
+    if (!ranks.ok()) return ranks.error();
     std::vector<index::BuildAndPose> evaluations;
     for (const ranking::RankOptions& rank : *ranks) {
         asked.rank = rank;
@@ -162,11 +182,9 @@ Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& optio
 /// The curves as values, and in the page that shows like poses.
 Result<void> write_build_and_pose(const Options& options, const Session& session,
                                   index::Store& store, const index::Snapshot& snapshot,
+                                  const ranking::Classification& builds,
                                   const std::vector<index::BuildAndPose>& evaluations) {
-    Result<ranking::Classification> builds =
-        ranking::read_classification(options.build_classes_path);
-    if (!builds.ok()) return builds.error();
-    const auto models = index::classified_models(snapshot, *builds);
+    const auto models = index::classified_models(snapshot, builds);
     if (!models.ok()) return models.error();
     index::Evaluation shown;
     shown.labels = models->labels;
@@ -196,22 +214,16 @@ Result<ExitCode> run_build_and_pose(const Options& options, const Session& sessi
     if (!searcher.ok()) return searcher.error();
     const auto snapshot = searcher->snapshot();
     if (!snapshot.ok()) return snapshot.error();
-    const auto evaluations = ask_build_and_pose(options, session, **snapshot);
+    const auto asked = read_build_and_pose(options);
+    if (!asked.ok()) return asked.error();
+    const auto evaluations = ask_build_and_pose(options, session, **snapshot, *asked);
     if (!evaluations.ok()) return evaluations.error();
     if (!options.report_folder.empty()) {
-        const auto written =
-            write_build_and_pose(options, session, searcher->store(), **snapshot, *evaluations);
+        const auto written = write_build_and_pose(options, session, searcher->store(), **snapshot,
+                                                  asked->build, *evaluations);
         if (!written.ok()) return written.error();
     }
-    if (!session.json) {
-        for (const index::BuildAndPose& evaluation : *evaluations) print_build_and_pose(evaluation);
-    } else if (evaluations->size() == 1) {
-        print_json(index::to_json(evaluations->front()));
-    } else {
-        nlohmann::json list = nlohmann::json::array();
-        for (const auto& evaluation : *evaluations) list.push_back(index::to_json(evaluation));
-        print_json(list);
-    }
+    print_all(session, *evaluations, print_build_and_pose);
     return ExitCode::kDone;
 }
 
@@ -239,15 +251,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
             write_reports(options, session, searcher->store(), **snapshot, *evaluations);
         if (!written.ok()) return written.error();
     }
-    if (!session.json) {
-        for (const index::Evaluation& evaluation : *evaluations) print_evaluation(evaluation);
-    } else if (evaluations->size() == 1) {
-        print_json(index::to_json(evaluations->front()));
-    } else {
-        nlohmann::json list = nlohmann::json::array();
-        for (const auto& evaluation : *evaluations) list.push_back(index::to_json(evaluation));
-        print_json(list);
-    }
+    print_all(session, *evaluations, print_evaluation);
     return ExitCode::kDone;
 }
 

@@ -87,7 +87,7 @@ void run(const std::filesystem::path& folder) {
     parallel_for(models.size(), 2, [&](std::size_t i) { originals[i] = descriptor_of(models[i]); });
     std::vector<const descriptor::ModelDescriptor*> pointers;
     for (const auto& original : originals) pointers.push_back(&original);
-    const auto statistics = ranking::collection_statistics(pointers, 2);
+    const auto statistics = *ranking::collection_statistics(pointers, 2);
     std::cout << fmt::format("{} models; the largest distance to itself\n", models.size())
               << "what     at      hybrid  skeleton  chain-code\n";
     for (const Kind& kind : kKinds) {
@@ -102,7 +102,7 @@ void run(const std::filesystem::path& folder) {
                 for (std::size_t r = 0; r < 3; ++r) {
                     const ranking::RankOptions options = {.ranker = ranking::kAllRankers[r]};
                     distances[i][r] =
-                        ranking::rank_distances(changed, pointers, statistics, options)[i];
+                        ranking::rank_distances(changed, pointers, statistics, options)->at(i);
                 }
             });
             std::array<double, 3> most = {};

@@ -24,7 +24,9 @@ bool has_control(std::string_view text) {
 /// What the handlers rely on.
 void check(const server::RequestHead& head, const server::HeadLimits& limits) {
     require(!head.method.empty() && head.path.starts_with('/'));
-    require(head.path.size() <= limits.max_target && head.headers.size() <= limits.max_fields);
+    require(head.path.size() <= limits.max_target);
+    // The host of an absolute target comes on top of those that were sent.
+    require(head.headers.size() <= limits.max_fields + 1);
     require(!has_control(head.path) && server::is_utf8(head.path));
     for (const server::Field& field : head.parameters) {
         require(!has_control(field.name) && !has_control(field.value));

@@ -8,8 +8,8 @@
 
 #include "engine/mesh/read_mesh.h"
 #include "engine/mesh/write_mesh.h"
-#include "index/codec.h"
 #include "index/describe_model.h"
+#include "tests/index/same_bits.h"
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 
@@ -45,12 +45,7 @@ void expect_same_in_every_format(const mesh::TriangleMesh& mesh) {
         SCOPED_TRACE(name);
         const auto other = describe_model({bytes, name}, {});
         ASSERT_TRUE(other) << other.error().message;
-        EXPECT_EQ(encode_descriptor(other->descriptor.skeleton),
-                  encode_descriptor(off->descriptor.skeleton));
-        EXPECT_EQ(encode_globals(other->descriptor.globals),
-                  encode_globals(off->descriptor.globals));
-        EXPECT_EQ(encode_signature(other->descriptor.signature),
-                  encode_signature(off->descriptor.signature));
+        test::expect_same_bits(other->descriptor, off->descriptor);
     }
 }
 

@@ -4,8 +4,8 @@
 
 #include "engine/core/whole_file.h"
 #include "engine/mesh/write_mesh.h"
-#include "index/codec.h"
 #include "index/describe_model.h"
+#include "tests/index/same_bits.h"
 #include "tests/support/benchmark_data.h"
 #include "tests/support/shapes.h"
 #include "tests/support/temporary_folder.h"
@@ -41,12 +41,7 @@ void expect_same_in_foreign_formats(const mesh::TriangleMesh& mesh) {
         SCOPED_TRACE(name);
         const auto other = describe_model({bytes, name, {}, &reader}, {});
         ASSERT_TRUE(other) << other.error().message;
-        EXPECT_EQ(encode_descriptor(other->descriptor.skeleton),
-                  encode_descriptor(off->descriptor.skeleton));
-        EXPECT_EQ(encode_globals(other->descriptor.globals),
-                  encode_globals(off->descriptor.globals));
-        EXPECT_EQ(encode_signature(other->descriptor.signature),
-                  encode_signature(off->descriptor.signature));
+        test::expect_same_bits(other->descriptor, off->descriptor);
     }
 }
 
