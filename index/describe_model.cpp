@@ -33,7 +33,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
                                   std::stop_token stop) {
     auto read = source.reader == nullptr
                     ? voxel::read_model(source.bytes, source.name, {}, stop)
-                    : source.reader->read({source.bytes, source.name, source.folder}, {}, stop);
+                    : source.reader->read({source.bytes, source.name, source.companions}, {}, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <stop_token>
 #include <string_view>
@@ -18,7 +17,7 @@ struct ModelSource {
     std::optional<Up> up = {};  ///< as a person has said; none = the file's, or found
     /// Reads it; null = formats that are read within the program alone.
     ModelReader* reader = nullptr;
-    std::filesystem::path folder = {};  ///< of files that it refers to; empty = there are none
+    Companions companions = {};  ///< files that it refers to; none = it stands alone
 };
 
 /// From a model file to all that an index keeps of it. The summary's path, name and class are left

@@ -6,11 +6,14 @@
 #include "engine/core/parallel.h"
 #include "engine/core/stopwatch.h"
 #include "engine/core/text.h"
+#include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/content_hash.h"
 #include "index/describe_model.h"
 #include "index/model_files.h"
+#include "index/model_place.h"
 #include "index/model_timer.h"
+#include "index/open_archives.h"
 #include "index/ordered_pipeline.h"
 #include "index/snapshot.h"
 #include "index/timestamp.h"
@@ -52,7 +55,8 @@ public:
 
 private:
     FileOutcome process(const fs::path& path);
-    FileOutcome describe_file(const fs::path& path, const std::string& bytes, std::optional<Up> up);
+    FileOutcome describe_file(const fs::path& path, const ModelBytes& file, std::optional<Up> up);
+    Result<ModelBytes> open(const fs::path& path);
     bool consume(const fs::path& path, FileOutcome outcome);
     void put(const fs::path& path, NewModel model);
     void fail(const fs::path& path, const std::string& hash, const Error& error);
@@ -67,8 +71,11 @@ private:
     Result<std::vector<ModelSummary>> all_models();
     Result<void> prune();
 
+    [[nodiscard]] static std::string name_of(const fs::path& path) {
+        return place_of(path).file_name().stem().string();
+    }
     [[nodiscard]] std::optional<std::string> class_of(const fs::path& path) const {
-        const auto found = classes_.find(path.filename().string());
+        const auto found = classes_.find(place_of(path).file_name().string());
         if (found == classes_.end()) return {};
         return found->second;
     }
@@ -100,13 +107,13 @@ FileOutcome IndexRun::process(const fs::path& path) {
         outcome.error = {ErrorCode::kFormatUnknown, path.string() + ": is the index itself"};
         return outcome;
     }
-    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
-    if (!bytes) {
+    const auto file = open(path);
+    if (!file) {
         outcome.kind = FileOutcome::Kind::kFailed;
-        outcome.error = bytes.error();
+        outcome.error = file.error();
         return outcome;
     }
-    outcome.content_hash = content_hash(*bytes);
+    outcome.content_hash = content_hash(file->bytes.view());
     auto work = store_.claim_work(path.string(), outcome.content_hash);
     if (!work) {
         outcome.kind = FileOutcome::Kind::kBroken;
@@ -128,7 +135,7 @@ FileOutcome IndexRun::process(const fs::path& path) {
     } else {
         const bool was_told = work->earlier && work->earlier->orientation.said_by_person;
         return describe_file(
-            path, *bytes,
+            path, *file,
             was_told && !options_.up ? std::optional(work->earlier->orientation.up) : options_.up);
     }
     outcome.models = std::move(work->models);
@@ -147,14 +154,23 @@ void IndexRun::turn(const ModelSummary& model, FileOutcome& outcome) {
     }
 }
 
-FileOutcome IndexRun::describe_file(const fs::path& path, const std::string& bytes,
+/// Within the program's limits; archives and files beside a model need a reader.
+Result<ModelBytes> IndexRun::open(const fs::path& path) {
+    const std::uint64_t most = mesh::ReadMeshOptions{}.max_bytes;
+    if (options_.reader != nullptr) return options_.reader->open(path, most, stop_);
+    auto bytes = read_whole_file(path, most);
+    if (!bytes) return bytes.error();
+    return ModelBytes{*std::move(bytes), path.string(), {}};
+}
+
+FileOutcome IndexRun::describe_file(const fs::path& path, const ModelBytes& file,
                                     std::optional<Up> up) {
     FileOutcome outcome;
-    outcome.content_hash = content_hash(bytes);
+    outcome.content_hash = content_hash(file.bytes.view());
     const ModelTimer::Watch watch(timer_, stop_);
-    const std::string name = path.string();
-    auto model = describe_model({bytes, name, up, options_.reader, path.parent_path()},
-                                store_.parameters(), watch.token());
+    auto model =
+        describe_model({file.bytes.view(), file.name, up, options_.reader, file.companions},
+                       store_.parameters(), watch.token());
     // An interrupted run leaves no model behind that is short of its parts.
     if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
@@ -208,7 +224,7 @@ bool IndexRun::consume(const fs::path& path, FileOutcome outcome) {
 
 void IndexRun::put(const fs::path& path, NewModel model) {
     model.summary.path = path.string();
-    model.summary.name = path.stem().string();
+    model.summary.name = name_of(path);
     model.summary.class_name = class_of(path).value_or("");
     ++outcome_.indexed;
     change(PutModel{std::move(model)});
@@ -241,14 +257,14 @@ void IndexRun::move(const fs::path& path, FileOutcome outcome) {
             error_ = std::move(turned.error);
             return;
         }
-        change(MoveModel{model.id, path.string(), path.stem().string(), class_of(path)});
+        change(MoveModel{model.id, path.string(), name_of(path), class_of(path)});
         take_turn(std::move(turned.turn));
         return;
     }
     // Another path of this run has taken the model's place.
-    auto bytes = read_bytes(path, mesh::ReadMeshOptions{}.max_bytes);
-    if (!bytes) return fail(path, "", bytes.error());
-    FileOutcome described = describe_file(path, *bytes, options_.up);
+    const auto file = open(path);
+    if (!file) return fail(path, "", file.error());
+    FileOutcome described = describe_file(path, *file, options_.up);
     if (described.kind == FileOutcome::Kind::kDescribed) {
         put(path, std::move(described.model));
     } else if (described.kind == FileOutcome::Kind::kFailed) {
@@ -308,10 +324,15 @@ Result<void> IndexRun::find_files() {
     auto found = find_model_files(options_.paths, options_.walk, stop_);
     if (!found) return found.error();
     found_ = *std::move(found);
+    if (options_.reader != nullptr) {
+        const auto opened = open_archives(found_, roots_, options_.walk, *options_.reader, stop_);
+        if (!opened) return opened.error();
+    }
     for (const fs::path& root : found_.missing) {
-        const bool is_known = std::any_of(
-            paths_before_.begin(), paths_before_.end(),
-            [&](const std::string& path) { return !path.empty() && is_under(path, {root}); });
+        const bool is_known =
+            std::any_of(paths_before_.begin(), paths_before_.end(), [&](const std::string& path) {
+                return !path.empty() && is_under(place_of(path).file, {root});
+            });
         if (!is_known) {
             return {ErrorCode::kFileNotFound, root.string() + ": no such file or folder"};
         }

@@ -1,10 +1,9 @@
 #include "index/model_files.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
-#include "engine/mesh/read_mesh.h"
+#include "index/model_place.h"
 
 namespace ossuary::index {
 
@@ -39,6 +38,14 @@ bool is_hidden_name(std::string_view name) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
     return std::find(std::begin(kNames), std::end(kNames), lower) != std::end(kNames);
+}
+
+bool is_archive_name(const fs::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return extension == ".zip";
 }
 
 namespace {
@@ -77,32 +84,10 @@ bool is_passed_over(const fs::path& path, const std::vector<fs::path>& roots,
     return under_one;
 }
 
-Result<std::string> read_bytes(const fs::path& path, std::uint64_t max_bytes) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) return {ErrorCode::kFileNotFound, path.string() + ": no such file"};
-    if (!fs::is_regular_file(status)) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": not a regular file"};
-    }
-    const std::uint64_t size = fs::file_size(path, error);
-    if (error) return {ErrorCode::kFileUnreadable, path.string() + ": " + error.message()};
-    if (size > max_bytes) {
-        return {ErrorCode::kFileTooLarge, path.string() + ": " + std::to_string(size) +
-                                              " bytes, at most " + std::to_string(max_bytes) +
-                                              " are read"};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes(size, '\0');
-    if (!file || !file.read(bytes.data(), static_cast<std::streamsize>(size))) {
-        return {ErrorCode::kFileUnreadable, path.string() + ": cannot be read"};
-    }
-    return bytes;
-}
-
 std::map<std::string, std::string> classes_by_file_name(
     const ranking::Classification& classification, const std::vector<fs::path>& files) {
     std::set<std::string> present;
-    for (const fs::path& file : files) present.insert(file.filename().string());
+    for (const fs::path& file : files) present.insert(place_of(file).file_name().string());
     std::map<std::string, std::string> classes;
     for (const ranking::ClassifiedModel& model : ranking::models_in_order(classification)) {
         for (const std::string& name : ranking::candidate_file_names(model.id)) {

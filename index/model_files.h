@@ -24,6 +24,9 @@ namespace ossuary::index {
 /// `$RECYCLE.BIN`, `System Volume Information`, `__MACOSX`, `lost+found`; any case).
 [[nodiscard]] bool is_hidden_name(std::string_view name);
 
+/// Whether a file's name is that of a ZIP archive (any case).
+[[nodiscard]] bool is_archive_name(const std::filesystem::path& path);
+
 /// What a walk leaves out below the folders that it is given.
 struct WalkOptions {
     std::vector<Glob> exclude;  ///< files and folders that match one are passed over
@@ -36,7 +39,7 @@ struct PassedOver {
     std::size_t seen_before = 0;   ///< links (or paths) to what is taken under another path
     std::size_t broken_links = 0;  ///< links that lead nowhere
     std::size_t special = 0;       ///< pipes, sockets and devices named like models
-    std::size_t other_files = 0;   ///< files that are no models by their names
+    std::size_t other_files = 0;  ///< files that are no models by their names, archives without any
 };
 
 /// A folder that could not be read.
@@ -53,6 +56,8 @@ struct FoundFiles {
     std::vector<std::filesystem::path> missing;       ///< named, and not there
     std::vector<std::filesystem::path> seen_before;   ///< the links so counted
     std::vector<std::filesystem::path> broken_links;  ///< the links so counted
+    std::vector<std::filesystem::path>
+        archives;  ///< whose models are among `files` (open_archives)
 };
 
 /// All model files that `paths` name: files as they are, and folders with the model files below
@@ -74,11 +79,8 @@ Result<FoundFiles> find_model_files(const std::vector<std::filesystem::path>& pa
 [[nodiscard]] bool is_under(const std::filesystem::path& path,
                             const std::vector<std::filesystem::path>& roots);
 
-/// Bytes of a whole file. Errors: file_not_found, file_unreadable, file_too_large.
-Result<std::string> read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes);
-
-/// Class of each file name that a classification names. An id stands for the first of its candidate
-/// names that is among `files`.
+/// Class of each file name (ModelPlace::file_name) that a classification names. An id stands for
+/// the first of its candidate names that is among `files`.
 [[nodiscard]] std::map<std::string, std::string> classes_by_file_name(
     const ranking::Classification& classification, const std::vector<std::filesystem::path>& files);
 

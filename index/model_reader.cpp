@@ -6,20 +6,70 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
 
-#include "engine/core/whole_file.h"
 #include "engine/mesh/recognise_format.h"
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/read_model.h"
+#include "index/model_files.h"
+#include "index/model_place.h"
 
 namespace ossuary::index {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// What a package of another format has at its root (3MF among them, part 2 of ECMA-376).
+constexpr std::string_view kPackageTypes = "[Content_Types].xml";
+
+using Archive = std::shared_ptr<const OwnedDescriptor>;
+
+Result<Archive> open_archive(const fs::path& path) {
+    OwnedDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (!file.is_open() || ::fstat(file.get(), &status) != 0) {
+        const auto code = errno == ENOENT ? ErrorCode::kFileNotFound : ErrorCode::kFileUnreadable;
+        return {code, std::generic_category().message(errno)};
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return {ErrorCode::kFileUnreadable, "expected a regular file, found something else"};
+    }
+    return std::make_shared<const OwnedDescriptor>(std::move(file));
+}
+
+Result<Archive> hold_archive(std::string_view bytes) {
+    auto file = memory_file(bytes);
+    if (!file) return file.error();
+    return std::make_shared<const OwnedDescriptor>(*std::move(file));
+}
+
+Error several(const std::vector<std::string>& models) {
+    constexpr std::size_t kMostNamed = 20;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(models.size(), kMostNamed); ++i) {
+        list += (i == 0 ? "" : ", ") + mesh::quoted_token(models[i].substr(0, 200));
+    }
+    if (models.size() > kMostNamed) list += ", …";
+    return {ErrorCode::kArchiveSeveral, "expected one model in the archive, found " +
+                                            std::to_string(models.size()) +
+                                            "; name one after '#': " + list};
+}
+
+Error stands_alone(std::string_view name) {
+    return {ErrorCode::kGltfBuffer, "expected the file " + mesh::quoted_token(name.substr(0, 200)) +
+                                        " that it refers to, found this file alone"};
+}
+
+/// The name of the file stands before messages that do not begin with it.
+template <typename T>
+Result<T> named(Result<T> result, std::string_view name) {
+    if (result || result.error().message.starts_with(name)) return result;
+    return Error{result.error().code, std::string(name) + ": " + result.error().message};
+}
 
 fs::path beside_this_program() {
     std::error_code error;
@@ -60,28 +110,132 @@ void ModelReader::give_back(std::unique_ptr<ReaderProcess> process) {
     if (waiting_.size() < options_.kept) waiting_.push_back(std::move(process));
 }
 
+Result<ArchiveModels> ModelReader::models_in(const Archive& archive, const std::stop_token& stop) {
+    auto process = take();
+    if (!process) return process.error();
+    const auto members = (*process)->list(archive->get(), stop);
+    give_back(*std::move(process));
+    if (!members) return members.error();
+    ArchiveModels models;
+    for (const ArchiveMember& member : *members) {
+        if (member.name == kPackageTypes) return ArchiveModels{{}, true};
+        const fs::path path = member.name;
+        const bool hidden = std::any_of(path.begin(), path.end(), [](const fs::path& part) {
+            return is_hidden_name(part.native());
+        });
+        if (!hidden && mesh::is_model_file(path) && !is_archive_name(path)) {
+            models.names.push_back(member.name);
+        }
+    }
+    return models;
+}
+
+Result<WholeFile> ModelReader::unpack(const Archive& archive, const UnpackRequest& request,
+                                      const std::stop_token& stop) {
+    auto process = take();
+    if (!process) return process.error();
+    auto bytes = (*process)->unpack(archive->get(), request, stop);
+    give_back(*std::move(process));
+    return bytes;
+}
+
+Result<ModelBytes> ModelReader::open_member(const Archive& archive, std::string_view name,
+                                            const UnpackRequest& request,
+                                            const std::stop_token& stop) {
+    auto bytes = unpack(archive, request, stop);
+    if (!bytes) return bytes.error();
+    // One that holds itself would be opened without end.
+    if (mesh::recognise_format(bytes->view()) == mesh::ModelFormat::kZip) {
+        return {ErrorCode::kFormatUnsupported, "expected a model, found an archive in an archive"};
+    }
+    const fs::path folder = fs::path(request.member).parent_path();
+    const auto companions = [this, archive, folder, stop](
+                                std::string_view asked,
+                                std::uint64_t most) -> Result<OwnedDescriptor> {
+        const std::string member = (folder / asked).lexically_normal().string();
+        const auto found = unpack(archive, {member, most}, stop);
+        if (found) return memory_file(found->view());
+        return {ErrorCode::kGltfBuffer, "expected the file " +
+                                            mesh::quoted_token(asked.substr(0, 200)) +
+                                            " that it refers to, found none in the archive (" +
+                                            found.error().message + ")"};
+    };
+    return ModelBytes{*std::move(bytes), std::string(name) + "#" + request.member, companions};
+}
+
+Result<ModelBytes> ModelReader::open_only_model(const Archive& archive, std::string_view name,
+                                                std::uint64_t max_bytes,
+                                                const std::stop_token& stop) {
+    const auto models = models_in(archive, stop);
+    if (!models) return models.error();
+    if (models->names.empty()) {
+        return {ErrorCode::kArchiveEmpty, "expected a model in the archive, found none"};
+    }
+    if (models->names.size() > 1) return several(models->names);
+    return open_member(archive, name, {models->names.front(), max_bytes}, stop);
+}
+
+Result<ModelBytes> ModelReader::open(const fs::path& path, std::uint64_t max_bytes,
+                                     const std::stop_token& stop) {
+    const ModelPlace place = place_of(path);
+    auto opened = [&]() -> Result<ModelBytes> {
+        if (!place.within.empty()) {
+            auto archive = open_archive(place.file);
+            if (!archive) return archive.error();
+            return open_member(*archive, place.file.string(), {place.within, max_bytes}, stop);
+        }
+        Result<WholeFile> file = read_whole_file(path, max_bytes);
+        if (!file) return file.error();
+        if (mesh::recognise_format(file->view()) == mesh::ModelFormat::kZip) {
+            auto archive = hold_archive(file->view());
+            if (!archive) return archive.error();
+            return open_only_model(*archive, path.string(), max_bytes, stop);
+        }
+        const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+        return ModelBytes{*std::move(file), path.string(),
+                          [folder](std::string_view name, std::uint64_t most) {
+                              return open_beneath(folder, name, most);
+                          }};
+    }();
+    return named(std::move(opened), path.string());
+}
+
+Result<ArchiveModels> ModelReader::list_archive(const fs::path& path, const std::stop_token& stop) {
+    const auto archive = named(open_archive(path), path.string());
+    if (!archive) return archive.error();
+    return named(models_in(*archive, stop), path.string());
+}
+
 Result<mesh::ReadMeshResult> ModelReader::read(const fs::path& path,
                                                const mesh::ReadMeshOptions& caps,
                                                const std::stop_token& stop) {
-    const Result<WholeFile> file = read_whole_file(path, caps.max_bytes);
-    if (!file) return file.error();
-    const std::string name = path.string();
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    return read(Source{file->view(), name, folder}, caps, stop);
+    const auto model = open(path, caps.max_bytes, stop);
+    if (!model) return model.error();
+    return read(Source{model->bytes.view(), model->name, model->companions}, caps, stop);
 }
 
 Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
                                                const mesh::ReadMeshOptions& caps,
                                                const std::stop_token& stop) {
     const mesh::ModelFormat format = mesh::recognise_format(source.bytes);
-    if (!is_foreign(format) || source.bytes.size() > caps.max_bytes) {
+    const bool fits = source.bytes.size() <= caps.max_bytes;
+    if (format == mesh::ModelFormat::kZip && fits) {
+        const auto archive = hold_archive(source.bytes);
+        if (!archive) return archive.error();
+        const auto model =
+            named(open_only_model(*archive, source.name, caps.max_bytes, stop), source.name);
+        if (!model) return model.error();
+        return read(Source{model->bytes.view(), model->name, model->companions}, caps, stop);
+    }
+    if (!is_foreign(format) || !fits) {
         return voxel::read_model(source.bytes, source.name, {caps, {}}, stop);
     }
     auto process = take();
     if (!process) return process.error();
     std::uint64_t left = caps.max_bytes;
     const GiveFile give = [&](std::string_view name) -> Result<OwnedDescriptor> {
-        auto opened = open_beneath(source.folder, name, left);
+        if (!source.companions) return stands_alone(name);
+        auto opened = source.companions(name, left);
         struct stat status {};
         if (opened && ::fstat(opened->get(), &status) == 0) {
             left -= std::min(left, static_cast<std::uint64_t>(status.st_size));
@@ -90,7 +244,7 @@ Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
     };
     auto read = (*process)->read({format, caps}, source.bytes, give, stop);
     give_back(*std::move(process));
-    if (!read) return {read.error().code, std::string(source.name) + ": " + read.error().message};
+    if (!read) return named(std::move(read), source.name);
     return mesh::finish_reading(*std::move(read), source.name, caps, stop);
 }
 
@@ -101,7 +255,6 @@ Result<OwnedDescriptor> open_beneath(const fs::path& folder, std::string_view na
                                             mesh::quoted_token(name.substr(0, 200)) +
                                             " that it refers to, found " + reason};
     };
-    if (folder.empty()) return refuse("this file alone");
     if (name.find('\0') != std::string_view::npos) return refuse("no such name");
     const OwnedDescriptor base(::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!base.is_open()) return refuse(std::generic_category().message(errno));

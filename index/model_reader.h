@@ -1,22 +1,45 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/core/mutex.h"
 #include "engine/core/result.h"
+#include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/reader_process.h"
 
 namespace ossuary::index {
 
+/// Gives a file of at most so many bytes that a model refers to, by the name that the model gives.
+/// Errors: gltf_buffer, with the reason.
+using Companions =
+    std::function<Result<OwnedDescriptor>(std::string_view name, std::uint64_t max_bytes)>;
+
+/// A model file in memory.
+struct ModelBytes {
+    WholeFile bytes;
+    std::string name;  ///< stands for the file in messages
+    /// Where it lies; not to be asked once the reader that opened it has gone.
+    Companions companions;
+};
+
+/// The models in a ZIP archive.
+struct ArchiveModels {
+    /// Their names (mesh::is_model_file), in the archive's order; hidden ones are left out.
+    std::vector<std::string> names;
+    bool is_package = false;  ///< a file of another format, as 3MF is, and so without models
+};
+
 /// Reads model files of every format that is known: those that this project has strict readers for
 /// within the program, the others in processes of their own that are held within limits
-/// (`ossuary-read`, beside the program). A few of those are kept for the next files. May be used
-/// from many threads at once.
+/// (`ossuary-read`, beside the program), ZIP archives too. A few of those are kept for the next
+/// files. May be used from many threads at once.
 class ModelReader {
 public:
     struct Options {
@@ -29,10 +52,23 @@ public:
     ModelReader();
     explicit ModelReader(Options options);
 
-    /// Reads a file, with those that it refers to in and below its folder.
-    /// Errors: those of voxel::read_model; for the others three_mf_invalid, three_mf_extension,
-    /// gltf_invalid, gltf_extension, gltf_buffer, scene_invalid, model_…; reader_time,
-    /// reader_memory and reader_crashed where a file cost its reader's life; reader_unavailable.
+    /// The bytes of a model, as place_of names it; an archive of one model is that model.
+    /// Errors: file_not_found, file_unreadable, file_too_large, archive_invalid, archive_member,
+    /// archive_empty, archive_several (with what there is), format_unsupported for an archive in an
+    /// archive; those of the process.
+    Result<ModelBytes> open(const std::filesystem::path& path, std::uint64_t max_bytes,
+                            const std::stop_token& stop = {});
+
+    /// What a ZIP archive holds.
+    /// Errors: file_not_found, file_unreadable, archive_invalid; those of the process.
+    Result<ArchiveModels> list_archive(const std::filesystem::path& archive,
+                                       const std::stop_token& stop = {});
+
+    /// Reads a model, with the files that it refers to in and below its folder.
+    /// Errors: those of open and of voxel::read_model; for the others three_mf_invalid,
+    /// three_mf_extension, gltf_invalid, gltf_extension, gltf_buffer, scene_invalid, model_…;
+    /// reader_time, reader_memory and reader_crashed where a file cost its reader's life;
+    /// reader_unavailable.
     Result<mesh::ReadMeshResult> read(const std::filesystem::path& path,
                                       const mesh::ReadMeshOptions& caps = {},
                                       const std::stop_token& stop = {});
@@ -40,8 +76,8 @@ public:
     /// The same from memory.
     struct Source {
         std::string_view bytes;
-        std::string_view name;         ///< stands for the file in messages
-        std::filesystem::path folder;  ///< of files that it refers to; empty = there are none
+        std::string_view name;       ///< stands for the file in messages
+        Companions companions = {};  ///< none = it stands alone
     };
     Result<mesh::ReadMeshResult> read(const Source& source, const mesh::ReadMeshOptions& caps = {},
                                       const std::stop_token& stop = {});
@@ -50,8 +86,17 @@ public:
     [[nodiscard]] static bool is_foreign(mesh::ModelFormat format);
 
 private:
+    using Archive = std::shared_ptr<const OwnedDescriptor>;
+
     Result<std::unique_ptr<ReaderProcess>> take();
     void give_back(std::unique_ptr<ReaderProcess> process);
+    Result<ArchiveModels> models_in(const Archive& archive, const std::stop_token& stop);
+    Result<WholeFile> unpack(const Archive& archive, const UnpackRequest& request,
+                             const std::stop_token& stop);
+    Result<ModelBytes> open_member(const Archive& archive, std::string_view name,
+                                   const UnpackRequest& request, const std::stop_token& stop);
+    Result<ModelBytes> open_only_model(const Archive& archive, std::string_view name,
+                                       std::uint64_t max_bytes, const std::stop_token& stop);
 
     const Options options_;
     Mutex mutex_;

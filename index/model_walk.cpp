@@ -6,6 +6,7 @@
 
 #include "engine/mesh/read_mesh.h"
 #include "index/model_files.h"
+#include "index/model_place.h"
 
 namespace ossuary::index {
 
@@ -68,7 +69,9 @@ void Walk::add_root(const fs::path& root) {
     std::error_code error;
     const fs::file_status status = fs::status(root, error);
     if (status.type() == fs::file_type::not_found) {
-        found_.missing.push_back(root);
+        // A model in an archive that is there.
+        const bool is_there = fs::is_regular_file(place_of(root).file, error);
+        (is_there ? found_.files : found_.missing).push_back(root);
     } else if (!fs::status_known(status)) {
         found_.unreadable.push_back(
             {root, {ErrorCode::kFileUnreadable, root.string() + ": " + error.message()}});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "index/model_place.h"
+
 namespace ossuary::index {
 
 namespace fs = std::filesystem;
@@ -13,9 +15,9 @@ namespace {
 std::vector<fs::path> doubtful_places(const std::vector<fs::path>& roots, const FoundFiles& found) {
     std::vector<fs::path> places = found.broken_links;
     for (const fs::path& root : roots) {
-        const bool has_files =
-            std::any_of(found.files.begin(), found.files.end(),
-                        [&](const fs::path& file) { return is_under(file, {root}); });
+        const bool has_files = std::any_of(
+            found.files.begin(), found.files.end(),
+            [&](const fs::path& file) { return is_under(place_of(file).file, {root}); });
         if (!has_files) places.push_back(root);
     }
     std::sort(places.begin(), places.end());
@@ -32,19 +34,28 @@ public:
     }
 
     [[nodiscard]] bool goes(const std::string& path) const {
-        if (path.empty() || !is_under(path, roots_) || is_found(path) ||
-            is_under(path, unreadable_)) {
+        const ModelPlace place = place_of(path);
+        const bool is_named = is_under(place.file, roots_) || is_under(path, roots_);
+        if (path.empty() || !is_named || is_found(path) || is_under(place.file, unreadable_)) {
             return false;
         }
-        return is_gone(path) || is_passed_over(path, roots_, options_) ||
-               is_under(path, found_.seen_before);
+        // As if archives were folders.
+        const fs::path as_in_folder = place.within.empty() ? place.file : place.file / place.within;
+        return is_gone(path) || was_opened(place.file) ||
+               is_passed_over(as_in_folder, roots_, options_) ||
+               is_under(place.file, found_.seen_before);
     }
 
 private:
-    [[nodiscard]] bool is_found(const fs::path& path) const {
+    static bool is_among(const std::vector<fs::path>& sorted, const fs::path& path) {
         return std::binary_search(
-            found_.files.begin(), found_.files.end(), path,
+            sorted.begin(), sorted.end(), path,
             [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
+    }
+    [[nodiscard]] bool is_found(const fs::path& path) const { return is_among(found_.files, path); }
+    /// Whether all that is in an archive has been found.
+    [[nodiscard]] bool was_opened(const fs::path& archive) const {
+        return is_among(found_.archives, archive);
     }
 
     const std::vector<fs::path>& roots_;
@@ -57,7 +68,7 @@ private:
 
 bool is_gone(const fs::path& path) {
     std::error_code error;
-    return fs::status(path, error).type() == fs::file_type::not_found;
+    return fs::status(place_of(path).file, error).type() == fs::file_type::not_found;
 }
 
 PrunePlan plan_prune(const PruneInput& input, const std::vector<fs::path>& roots,
@@ -72,7 +83,7 @@ PrunePlan plan_prune(const PruneInput& input, const std::vector<fs::path>& roots
     if (!force) {
         for (const fs::path& place : doubtful_places(roots, found)) {
             const auto lies_there = [&](const std::string& path) {
-                return !path.empty() && is_under(path, {place});
+                return !path.empty() && is_under(place_of(path).file, {place});
             };
             const auto gone = static_cast<std::size_t>(
                 std::count_if(models.begin(), models.end(),
@@ -85,10 +96,10 @@ PrunePlan plan_prune(const PruneInput& input, const std::vector<fs::path>& roots
         }
     }
     for (const ModelSummary* model : models) {
-        if (!is_under(model->path, spared)) plan.models.push_back(model->id);
+        if (!is_under(place_of(model->path).file, spared)) plan.models.push_back(model->id);
     }
     for (const Failure& failure : input.failures) {
-        if (judge.goes(failure.path) && !is_under(failure.path, spared)) {
+        if (judge.goes(failure.path) && !is_under(place_of(failure.path).file, spared)) {
             plan.failures.push_back(failure.path);
         }
     }

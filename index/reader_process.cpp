@@ -75,6 +75,11 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
+/// Archives refer to no others.
+Result<OwnedDescriptor> no_files(std::string_view) {
+    return {ErrorCode::kArchiveInvalid, "expected no other files, found one asked for"};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ReaderProcess>> ReaderProcess::start(const std::filesystem::path& program,
@@ -208,6 +213,34 @@ bool ReaderProcess::hand_over(std::string_view name, const GiveFile& give) {
     return send_packet(socket_.get(), text_message(MessageKind::kGive, ""), {given->get()});
 }
 
+/// The message that answers a request; faults as errors.
+Result<std::string> ReaderProcess::ask(std::string_view request, int file, int answer,
+                                       const GiveFile& give, const std::stop_token& stop) {
+    if (!limit_processor_time() || !send_packet(socket_.get(), request, {file, answer})) {
+        return cause_of_death();
+    }
+    const Deadline deadline = std::chrono::steady_clock::now() + limits_.time;
+    while (true) {
+        auto message = next_message(deadline, stop);
+        if (!message) return message.error();
+        switch (kind_of(message->bytes)) {
+            case MessageKind::kNeed:
+                if (!hand_over(text_of(message->bytes), give)) return cause_of_death();
+                break;
+            case MessageKind::kMesh:
+            case MessageKind::kMembers:
+            case MessageKind::kUnpacked:
+                return std::move(message->bytes);
+            default: {
+                Error error = decode_fault(message->bytes);
+                usable_ = error.code != ErrorCode::kReaderMemory &&
+                          error.code != ErrorCode::kReaderCrashed;
+                return error;
+            }
+        }
+    }
+}
+
 Result<mesh::ReadMeshResult> ReaderProcess::read(const ReadRequest& request, std::string_view bytes,
                                                  const GiveFile& give,
                                                  const std::stop_token& stop) {
@@ -217,28 +250,27 @@ Result<mesh::ReadMeshResult> ReaderProcess::read(const ReadRequest& request, std
     if (!file) return file.error();
     const auto answer = memory_file();
     if (!answer) return answer.error();
-    if (!limit_processor_time() ||
-        !send_packet(socket_.get(), encode_request(request), {file->get(), answer->get()})) {
-        return cause_of_death();
-    }
-    const Deadline deadline = std::chrono::steady_clock::now() + limits_.time;
-    while (true) {
-        const auto message = next_message(deadline, stop);
-        if (!message) return message.error();
-        switch (kind_of(message->bytes)) {
-            case MessageKind::kNeed:
-                if (!hand_over(text_of(message->bytes), give)) return cause_of_death();
-                break;
-            case MessageKind::kMesh:
-                return read_answer(message->bytes, answer->get(), request.caps);
-            default: {
-                Error error = decode_fault(message->bytes);
-                usable_ = error.code != ErrorCode::kReaderMemory &&
-                          error.code != ErrorCode::kReaderCrashed;
-                return error;
-            }
-        }
-    }
+    const auto message = ask(encode_request(request), file->get(), answer->get(), give, stop);
+    if (!message) return message.error();
+    return read_answer(*message, answer->get(), request.caps);
+}
+
+Result<std::vector<ArchiveMember>> ReaderProcess::list(int archive, const std::stop_token& stop) {
+    const auto answer = memory_file();
+    if (!answer) return answer.error();
+    const auto message =
+        ask(text_message(MessageKind::kList, ""), archive, answer->get(), no_files, stop);
+    if (!message) return message.error();
+    return read_members(*message, answer->get());
+}
+
+Result<WholeFile> ReaderProcess::unpack(int archive, const UnpackRequest& request,
+                                        const std::stop_token& stop) {
+    const auto answer = memory_file();
+    if (!answer) return answer.error();
+    const auto message = ask(encode_unpack(request), archive, answer->get(), no_files, stop);
+    if (!message) return message.error();
+    return read_unpacked(*message, answer->get(), request.max_bytes);
 }
 
 }  // namespace ossuary::index

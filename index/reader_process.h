@@ -42,6 +42,15 @@ public:
     Result<mesh::ReadMeshResult> read(const ReadRequest& request, std::string_view bytes,
                                       const GiveFile& give, const std::stop_token& stop);
 
+    /// The files in a ZIP archive, in its order; messages do not name it.
+    /// Errors: archive_invalid; those of the process.
+    Result<std::vector<ArchiveMember>> list(int archive, const std::stop_token& stop);
+
+    /// One of them, unpacked. Errors: archive_invalid, archive_member, file_too_large; those of the
+    /// process.
+    Result<WholeFile> unpack(int archive, const UnpackRequest& request,
+                             const std::stop_token& stop);
+
     /// Whether it can be asked for another model: it lives, and has neither read many nor a large
     /// one (libraries leak, and memory in pieces is as good as none).
     [[nodiscard]] bool is_usable() const;
@@ -54,6 +63,8 @@ private:
 
     Result<void> wait_until_ready();
     Result<Packet> next_message(Deadline deadline, const std::stop_token& stop);
+    Result<std::string> ask(std::string_view request, int file, int answer, const GiveFile& give,
+                            const std::stop_token& stop);
     bool hand_over(std::string_view name, const GiveFile& give);
     bool limit_processor_time();
     void kill();

@@ -71,7 +71,7 @@ Result<ReadMeshResult> finish_reading(ReadMeshResult read, std::string_view name
                                       const std::stop_token& stop = {});
 
 /// True for file names that the indexer should pick up in a folder: by extension, in any case, with
-/// or without `.gz` after it; those of volumes (engine/voxel/volume.h) too.
+/// or without `.gz` after it; those of volumes (engine/voxel/volume.h) and ZIP archives too.
 [[nodiscard]] bool is_model_file(const std::filesystem::path& path);
 
 }  // namespace ossuary::mesh

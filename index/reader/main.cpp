@@ -15,6 +15,7 @@
 #include "index/reader/companions.h"
 #include "index/reader/confinement.h"
 #include "index/reader/protocol.h"
+#include "index/reader/read_archive.h"
 #include "index/reader/read_gltf.h"
 #include "index/reader/read_scene.h"
 #include "index/reader/read_three_mf.h"
@@ -56,18 +57,44 @@ Result<mesh::ReadMeshResult> read_model(const ReadRequest& request, std::string_
     }
 }
 
-/// The message that answers a request. Nothing of the model is held any more when it is there.
-Result<std::string> answer(const Packet& packet) {
-    const auto request = decode_request(packet.bytes);
+Result<std::string> answer_read(std::string_view message, std::string_view bytes, int answer) {
+    const auto request = decode_request(message);
     if (!request) return request.error();
+    const auto read = read_model(*request, bytes);
+    if (!read) return read.error();
+    return write_answer(*read, answer);
+}
+
+Result<std::string> answer_list(std::string_view bytes, int answer) {
+    const auto members = list_archive(bytes);
+    if (!members) return members.error();
+    return write_members(*members, answer);
+}
+
+Result<std::string> answer_unpack(std::string_view message, std::string_view bytes, int answer) {
+    const auto request = decode_unpack(message);
+    if (!request) return request.error();
+    const auto member = unpack_member(bytes, *request);
+    if (!member) return member.error();
+    return write_unpacked(*member, answer);
+}
+
+/// The message that answers a request. Nothing of the file is held any more when it is there.
+Result<std::string> answer(const Packet& packet) {
     if (packet.descriptors.size() != 2) {
         return {ErrorCode::kInternal, "expected two files with a request"};
     }
     const auto file = MappedFile::open(packet.descriptors[0].get());
     if (!file) return file.error();
-    const auto read = read_model(*request, file->view());
-    if (!read) return read.error();
-    return write_answer(*read, packet.descriptors[1].get());
+    const int into = packet.descriptors[1].get();
+    switch (kind_of(packet.bytes)) {
+        case MessageKind::kList:
+            return answer_list(file->view(), into);
+        case MessageKind::kUnpack:
+            return answer_unpack(packet.bytes, file->view(), into);
+        default:
+            return answer_read(packet.bytes, file->view(), into);
+    }
 }
 
 Result<std::string> answer_checked(const Packet& packet) {

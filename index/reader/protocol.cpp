@@ -127,7 +127,31 @@ bool names_faces(const mesh::TriangleMesh& mesh) {
 }
 
 Error no_answer() {
-    return {ErrorCode::kReaderCrashed, "expected a mesh from the reader, found something else"};
+    return {ErrorCode::kReaderCrashed, "expected an answer from the reader, found something else"};
+}
+
+/// Puts bytes into the answer's file, and how many into the message.
+Result<std::string> write_bytes(MessageKind kind, std::string_view bytes, int file) {
+    if (!write_all(file, bytes.data(), bytes.size())) {
+        return {ErrorCode::kReaderMemory,
+                "expected fewer bytes, found " + std::to_string(bytes.size()) + " unpacked"};
+    }
+    ByteWriter writer;
+    writer.put(static_cast<std::uint8_t>(kind));
+    writer.put(static_cast<std::uint64_t>(bytes.size()));
+    return std::move(writer).take();
+}
+
+Result<WholeFile> read_bytes(MessageKind kind, std::string_view message, int file,
+                             std::uint64_t max_bytes) {
+    ByteReader reader(text_of(message));
+    const auto size = reader.get<std::uint64_t>();
+    if (kind_of(message) != kind || !reader.ok() || !reader.at_end() || size > max_bytes) {
+        return no_answer();
+    }
+    WholeFile bytes(size);
+    if (!read_exactly(file, bytes.data(), bytes.size(), 0)) return no_answer();
+    return bytes;
 }
 
 }  // namespace
@@ -175,6 +199,58 @@ Result<ReadRequest> decode_request(std::string_view message) {
     return request;
 }
 
+std::string encode_unpack(const UnpackRequest& request) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint8_t>(MessageKind::kUnpack));
+    writer.put(request.max_bytes);
+    writer.put_text(request.member);
+    return std::move(writer).take();
+}
+
+Result<UnpackRequest> decode_unpack(std::string_view message) {
+    ByteReader reader(text_of(message));
+    UnpackRequest request;
+    request.max_bytes = reader.get<std::uint64_t>();
+    request.member = reader.get_text();
+    if (kind_of(message) != MessageKind::kUnpack || !reader.ok() || !reader.at_end()) {
+        return {ErrorCode::kInternal, "expected a request to unpack a member"};
+    }
+    return request;
+}
+
+Result<std::string> write_members(const std::vector<ArchiveMember>& members, int file) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(members.size()));
+    for (const ArchiveMember& member : members) {
+        writer.put(member.size);
+        writer.put_text(member.name);
+    }
+    return write_bytes(MessageKind::kMembers, writer.bytes(), file);
+}
+
+Result<std::string> write_unpacked(std::string_view bytes, int file) {
+    return write_bytes(MessageKind::kUnpacked, bytes, file);
+}
+
+Result<std::vector<ArchiveMember>> read_members(std::string_view message, int file) {
+    constexpr std::uint64_t kMostBytes = 256 << 20;
+    const auto bytes = read_bytes(MessageKind::kMembers, message, file, kMostBytes);
+    if (!bytes) return bytes.error();
+    ByteReader reader(bytes->view());
+    std::vector<ArchiveMember> members(reader.get_count(12));
+    for (ArchiveMember& member : members) {
+        member.size = reader.get<std::uint64_t>();
+        member.name = reader.get_text();
+        if (member.name.empty() || member.name.size() > kLongestMember) return no_answer();
+    }
+    if (!reader.ok() || !reader.at_end()) return no_answer();
+    return members;
+}
+
+Result<WholeFile> read_unpacked(std::string_view message, int file, std::uint64_t max_bytes) {
+    return read_bytes(MessageKind::kUnpacked, message, file, max_bytes);
+}
+
 std::string encode_fault(const Error& error) {
     return text_message(MessageKind::kFault,
                         std::string(to_string(error.code)) + " " + error.message);
@@ -217,9 +293,9 @@ Result<mesh::ReadMeshResult> read_answer(std::string_view message, int file,
     sizes.triangles = reader.get<std::uint32_t>();
     sizes.faces = reader.get<std::uint32_t>();
     sizes.with_faces = reader.get<std::uint8_t>() != 0;
-    if (!reader.ok() || sizes.notes > kMaxNotes || sizes.vertices > caps.max_vertices ||
-        sizes.triangles > caps.max_triangles || sizes.faces > caps.max_faces ||
-        (!sizes.with_faces && sizes.faces != sizes.triangles)) {
+    if (kind_of(message) != MessageKind::kMesh || !reader.ok() || sizes.notes > kMaxNotes ||
+        sizes.vertices > caps.max_vertices || sizes.triangles > caps.max_triangles ||
+        sizes.faces > caps.max_faces || (!sizes.with_faces && sizes.faces != sizes.triangles)) {
         return no_answer();
     }
     mesh::ReadMeshResult read;

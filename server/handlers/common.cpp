@@ -32,8 +32,8 @@ std::optional<Problem> refuse_parameters(const RequestHead& head) {
 
 std::optional<Problem> judge_media_type(const RequestHead& head) {
     const std::string type = media_type(head.header("Content-Type"));
-    // Besides those of model/: what systems and programs call STL, OBJ, PLY and 3MF files.
-    constexpr std::array<std::string_view, 8> kTypes = {
+    // Besides those of model/: what systems and programs call STL, OBJ, PLY, 3MF and packed files.
+    constexpr std::array<std::string_view, 12> kTypes = {
         "",
         "multipart/form-data",
         "application/octet-stream",
@@ -41,7 +41,11 @@ std::optional<Problem> judge_media_type(const RequestHead& head) {
         "text/prs.wavefront-obj",
         "application/vnd.ms-pki.stl",
         "application/sla",
-        "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"};
+        "application/vnd.ms-package.3dmanufacturing-3dmodel+xml",
+        "application/gzip",
+        "application/x-gzip",
+        "application/zip",
+        "application/x-zip-compressed"};
     if (type.starts_with("model/") ||
         std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end()) {
         return std::nullopt;

@@ -215,12 +215,5 @@ TEST_F(ModelFiles, GetTheirClassesByTheFirstNameThatIsThere) {
     EXPECT_EQ(classes, (std::map<std::string, std::string>{{"2.off", "ant"}, {"m10.off", "ant"}}));
 }
 
-TEST_F(ModelFiles, AreReadWholeAndNoFurtherThanAllowed) {
-    EXPECT_EQ(*read_bytes(root_ / "a.off", 5), "a.off");
-    EXPECT_EQ(read_bytes(root_ / "a.off", 4).error().code, ErrorCode::kFileTooLarge);
-    EXPECT_EQ(read_bytes(root_ / "none", 4).error().code, ErrorCode::kFileNotFound);
-    EXPECT_EQ(read_bytes(root_, 4).error().code, ErrorCode::kFileUnreadable);
-}
-
 }  // namespace
 }  // namespace ossuary::index

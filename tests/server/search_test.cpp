@@ -34,6 +34,12 @@ protected:
                            three_mf_part(three_mf_object(mesh), "<item objectid=\"1\"/>"));
         return std::string(read_whole_file(package)->view());
     }
+    static std::string zip_of(const std::string& ply) {
+        const TemporaryFolder folder;
+        const auto archive = write_zip(folder.path() / "model.zip",
+                                       {{"license.txt", "free"}, {"parts/model.ply", ply}});
+        return std::string(read_whole_file(archive)->view());
+    }
     static constexpr const char* kForm = "Content-Type: multipart/form-data; boundary=b\r\n";
 };
 
@@ -125,7 +131,8 @@ TEST_F(Search, TakesTheContentTypesOfModels) {
          {"model/off", "application/octet-stream", "text/plain; charset=utf-8", "model/stl",
           "text/prs.wavefront-obj", "application/sla", "application/vnd.ms-pki.stl", "model/3mf",
           "model/gltf-binary", "model/gltf+json",
-          "application/vnd.ms-package.3dmanufacturing-3dmodel+xml"}) {
+          "application/vnd.ms-package.3dmanufacturing-3dmodel+xml", "application/gzip",
+          "application/zip", "application/x-zip-compressed"}) {
         EXPECT_EQ(server_
                       .ask(post("/v1/search?limit=1", tree(),
                                 "Content-Type: " + std::string(type) + "\r\n"))
@@ -146,7 +153,7 @@ TEST_F(Search, FindsAModelInWhateverFormatItComes) {
     const auto expected = best(tree());
     for (const std::string& bytes :
          {mesh::to_stl(read->mesh), mesh::to_obj(read->mesh), mesh::to_ply(read->mesh),
-          to_plain_glb(read->mesh), three_mf_of(read->mesh)}) {
+          to_plain_glb(read->mesh), three_mf_of(read->mesh), zip_of(mesh::to_ply(read->mesh))}) {
         const auto found = best(bytes);
         EXPECT_EQ(found["id"], expected["id"]);
         EXPECT_NEAR(found["distance"].get<double>(), expected["distance"].get<double>(), 0.02);

@@ -88,19 +88,23 @@ std::string three_mf_object(const mesh::TriangleMesh& mesh) {
     return text.str();
 }
 
-std::filesystem::path write_three_mf(const std::filesystem::path& path, const std::string& part) {
+std::filesystem::path write_zip(const std::filesystem::path& path,
+                                const std::vector<std::pair<std::string, std::string>>& members) {
     int error = 0;
     zip_t* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
     if (archive == nullptr) throw std::runtime_error("no archive at " + path.string());
-    const std::array<std::pair<const char*, std::string>, 3> parts = {
-        std::pair{"[Content_Types].xml", std::string(kTypes)},
-        std::pair{"_rels/.rels", std::string(kRelations)}, std::pair{"3D/3dmodel.model", part}};
-    for (const auto& [name, text] : parts) {
-        zip_source_t* source = zip_source_buffer(archive, text.data(), text.size(), 0);
-        zip_file_add(archive, name, source, 0);
+    for (const auto& [name, bytes] : members) {
+        zip_source_t* source = zip_source_buffer(archive, bytes.data(), bytes.size(), 0);
+        zip_file_add(archive, name.c_str(), source, ZIP_FL_ENC_UTF_8);
     }
-    if (zip_close(archive) != 0) throw std::runtime_error("no package at " + path.string());
+    if (zip_close(archive) != 0) throw std::runtime_error("no archive at " + path.string());
     return path;
+}
+
+std::filesystem::path write_three_mf(const std::filesystem::path& path, const std::string& part) {
+    return write_zip(
+        path,
+        {{"[Content_Types].xml", kTypes}, {"_rels/.rels", kRelations}, {"3D/3dmodel.model", part}});
 }
 
 }  // namespace ossuary::test

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/mesh/triangle_mesh.h"
 
@@ -15,6 +17,10 @@ std::string three_mf_part(const std::string& resources, const std::string& build
 
 /// A mesh as the resources of such a part: object 1. As many digits as floats have.
 std::string three_mf_object(const mesh::TriangleMesh& mesh);
+
+/// A ZIP archive of these members (name and bytes), compressed. Throws where it cannot be written.
+std::filesystem::path write_zip(const std::filesystem::path& path,
+                                const std::vector<std::pair<std::string, std::string>>& members);
 
 /// A 3MF package around a model part. Throws where it cannot be written.
 std::filesystem::path write_three_mf(const std::filesystem::path& path, const std::string& part);

@@ -27,6 +27,7 @@ import time
 
 COMMANDS = ("skeleton", "segment", "index", "search", "server")
 REQUEST_TIMEOUT_S = 5
+LARGEST_FILE = 256 << 20  # as the command line takes them
 COLUMNS = ("case", "command", "megabytes", "wall_s", "processor_s", "peak_mb", "exit", "outcome", "warnings",
            "stages_ms", "machine")
 
@@ -76,6 +77,14 @@ def document_of(text):
         return {}
 
 
+def stages_of(document):
+    """The milliseconds of each stage in one cell; commands write them as an object or as a list."""
+    stages = document.get("stages_ms", {})
+    if isinstance(stages, list):
+        stages = {stage["stage"]: stage["milliseconds"] for stage in stages}
+    return " ".join(f"{name}={value:.0f}" for name, value in stages.items())
+
+
 def error_code(text):
     """The code of the error or of the failed model that a command reports."""
     found = re.search(r"\b(?:error|failed)[^\n]*?\b([a-z]+(?:_[a-z]+)+|cancelled|internal)\b", text)
@@ -94,12 +103,9 @@ def measure(command, case, programs, small_index, limit_s):
         row = run([ossuary, *arguments], limit_s)
     document = document_of(row.pop("out"))
     text = row.pop("err")
-    stages = document.get("stages_ms", {})
-    if isinstance(stages, list):
-        stages = {stage["stage"]: stage["milliseconds"] for stage in stages}
     row["outcome"] = "done" if row["exit"] == 0 else error_code(text)
     row["warnings"] = " ".join(w["code"] for w in document.get("warnings", []))
-    row["stages_ms"] = " ".join(f"{name}={value:.0f}" for name, value in stages.items())
+    row["stages_ms"] = stages_of(document)
     if row["exit"] not in (0, "killed"):
         print(text.strip().splitlines()[-1:], file=sys.stderr)
     return row
@@ -108,14 +114,15 @@ def measure(command, case, programs, small_index, limit_s):
 def measure_server(case, programs, small_index, limit_s):
     """One search by upload, of a server that is started for it and ends after it."""
     command = [str(programs / "ossuary-server"), "--index", small_index, "--port", "0", "--log-level", "off",
-               "--request-timeout", str(REQUEST_TIMEOUT_S), "--max-upload-bytes", str(1 << 30)]
+               "--request-timeout", str(REQUEST_TIMEOUT_S), "--max-upload-bytes", str(LARGEST_FILE)]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     port = int(server.stdout.readline().decode().rsplit(":", 1)[1])
-    model = case.read_bytes()
     connection = http.client.HTTPConnection("127.0.0.1", port, timeout=limit_s)
     begin = time.monotonic()
     try:
-        connection.request("POST", "/v1/search", model)
+        # As a stream: what this process holds counts as its children's peak.
+        with case.open("rb") as model:
+            connection.request("POST", "/v1/search", model, {"Content-Length": str(case.stat().st_size)})
         answer = connection.getresponse()
         document, status = document_of(answer.read()), answer.status
     except (OSError, http.client.HTTPException):
@@ -133,8 +140,7 @@ def measure_server(case, programs, small_index, limit_s):
         "exit": server.returncode,
         "outcome": "done" if status == 200 else document.get("code", status),
         "warnings": " ".join(w["code"] for w in document.get("warnings", [])),
-        "stages_ms": " ".join(f"{stage['stage']}={stage['milliseconds']:.0f}"
-                              for stage in document.get("stages_ms", [])),
+        "stages_ms": stages_of(document),
     }
 
 

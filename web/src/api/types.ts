@@ -13,7 +13,7 @@ export interface paths {
         /**
          * Rank the collection against an uploaded model
          * @description The body is a model file (OFF and its relatives, STL, OBJ, PLY, 3MF, glTF, COLLADA, X3D, AMF
-         *     or FBX), raw or as the
+         *     or FBX, points, a volume, or any of them packed by gzip or in a ZIP archive), raw or as the
          *     field `model` of a multipart form; the format follows the contents. Nothing is stored.
          */
         post: operations["search"];
@@ -712,7 +712,7 @@ export interface components {
          * @description Stable; new ones may be added.
          * @enum {string}
          */
-        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
+        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "archive_invalid" | "archive_member" | "archive_several" | "archive_empty" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
     };
     responses: {
         /** @description What `If-None-Match` names is still true. */
@@ -816,7 +816,8 @@ export interface components {
          *     and what was expected (`off_truncated`, `ply_header`, `obj_index_out_of_range`, `gltf_invalid`,
          *     `mesh_empty`, …). `reader_time`, `reader_memory` and `reader_crashed` say that the process that read
          *     the file had to be ended, or was by the file. A glTF document must hold its buffers: the server gives
-         *     it no others (`gltf_buffer`).
+         *     it no others (`gltf_buffer`), unless they come with it in a ZIP archive, which holds one model
+         *     (`archive_several`, `archive_empty`, `archive_invalid`).
          */
         UnusableModel: {
             headers: {
@@ -877,6 +878,10 @@ export interface components {
                 "application/vnd.ms-pki.stl": unknown;
                 "application/sla": unknown;
                 "application/vnd.ms-package.3dmanufacturing-3dmodel+xml": unknown;
+                "application/gzip": unknown;
+                "application/x-gzip": unknown;
+                "application/zip": unknown;
+                "application/x-zip-compressed": unknown;
                 "multipart/form-data": {
                     model: string;
                 };
