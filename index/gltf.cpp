@@ -123,6 +123,7 @@ void add_mesh(const mesh::TriangleMesh& mesh, const decomposition::Segmentation&
         }
         colour.push_back(1.0);
         materials.push_back({{"name", "part " + std::to_string(part)},
+                             {"extras", {{"part", part}}},
                              {"doubleSided", true},
                              {"pbrMetallicRoughness",
                               {{"baseColorFactor", std::move(colour)},
@@ -155,6 +156,7 @@ void add_nodes(const decomposition::Rig& rig, const Vec3& origin, std::string_vi
             joint.parent < 0 ? origin : rig.joints[static_cast<std::size_t>(joint.parent)].position;
         nodes.push_back(
             {{"name", joint_name(rig, k)}, {"translation", translation(joint.position - held_at)}});
+        if (joint.branch >= 0) nodes.back()["extras"] = {{"branch", joint.branch}};
         if (joint.parent >= 0)
             nodes[static_cast<std::size_t>(joint.parent)]["children"].push_back(k);
         joints.push_back(k);

@@ -5,8 +5,8 @@
 
 namespace ossuary::index {
 
-/// Where a model is: a file, and which part of it where that holds several ("parts.zip#arm.stl": the
-/// member arm.stl of parts.zip). The index keeps both as one path.
+/// Where a model is: a file, and which part of it where that holds several ("parts.zip#arm.stl":
+/// the member arm.stl of parts.zip). The index keeps both as one path.
 struct ModelPlace {
     std::filesystem::path file;
     std::string within;  ///< empty = all of the file

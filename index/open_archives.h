@@ -9,11 +9,11 @@
 
 namespace ossuary::index {
 
-/// Puts what ZIP archives hold in their place among the files that a walk of `roots` (as index_path)
-/// has found: the models of one that holds several, each as path_of; nothing for one that holds none
-/// and is no root itself. Archives of one model stay as they are, and those that cannot be opened.
-/// What is hidden or excluded by its name in the archive is passed over as in a folder.
-/// Errors: cancelled.
+/// Puts what ZIP archives hold in their place among the files that a walk of `roots` (as
+/// index_path) has found: the models of one that holds several, each as path_of; nothing for one
+/// that holds none and is no root itself. Archives of one model stay as they are, and those that
+/// cannot be opened. What is hidden or excluded by its name in the archive is passed over as in a
+/// folder. Errors: cancelled.
 Result<void> open_archives(FoundFiles& found, const std::vector<std::filesystem::path>& roots,
                            const WalkOptions& options, ModelReader& reader,
                            const std::stop_token& stop);

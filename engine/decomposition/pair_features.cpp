@@ -10,38 +10,6 @@
 
 namespace ossuary::decomposition {
 
-const std::array<std::string_view, kPairFeatureCount> kPairFeatureNames = {"thickness_least",
-                                                                           "thickness_most",
-                                                                           "thickness_neck",
-                                                                           "thickness_bulge",
-                                                                           "thickness_step",
-                                                                           "distance",
-                                                                           "geodesic",
-                                                                           "detour",
-                                                                           "concave_way",
-                                                                           "concave_density",
-                                                                           "concave_barrier",
-                                                                           "crease_barrier",
-                                                                           "resistance",
-                                                                           "resistance_far",
-                                                                           "crease_resistance",
-                                                                           "crease_resistance_far",
-                                                                           "outside_middle",
-                                                                           "outside_near",
-                                                                           "outside_length",
-                                                                           "skeleton_way",
-                                                                           "skeleton_neck",
-                                                                           "skeleton_bulge",
-                                                                           "skeleton_junctions",
-                                                                           "same_branch",
-                                                                           "radius_least",
-                                                                           "radius_most",
-                                                                           "reach_least",
-                                                                           "reach_most",
-                                                                           "centrality_least",
-                                                                           "centrality_most",
-                                                                           "normals"};
-
 namespace {
 
 constexpr std::size_t kSamplesPerPatch = 5;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 #include "engine/decomposition/patches.h"
@@ -52,8 +51,21 @@ enum class PairFeature : std::size_t {
 inline constexpr std::size_t kPairFeatureCount = 31;
 using PairFeatures = std::array<float, kPairFeatureCount>;
 
-/// Stable names in the order of the enumeration.
-extern const std::array<std::string_view, kPairFeatureCount> kPairFeatureNames;
+/// Something of each feature, in the order of the enumeration.
+template <typename T>
+struct OfPairFeature {
+    PairFeature feature;
+    T value;
+};
+template <typename T>
+using OfPairFeatures = std::array<OfPairFeature<T>, kPairFeatureCount>;
+template <typename T>
+consteval bool in_order(const OfPairFeatures<T>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (static_cast<std::size_t>(rows[k].feature) != k) return false;
+    }
+    return true;
+}
 
 struct PatchPairs {
     std::size_t patches = 0;

@@ -45,7 +45,7 @@ PartEdit::Place PartEdit::solve(const SampledTree& part, const SampledTree& whol
         tree_.resize(rows * columns_);
         forest_.resize(rows * columns_);
     }
-    Choice ignored;
+    EditChoice ignored;
     for (std::size_t i = 0; i < rows; ++i) {
         for (std::size_t j = 0; j < columns_; ++j) {
             if (stop_.stop_requested()) return {};
@@ -70,17 +70,17 @@ PartEdit::Place PartEdit::solve(const SampledTree& part, const SampledTree& whol
     return best;
 }
 
-float PartEdit::tree_cost(std::size_t i, std::size_t j, Choice& choice) const {
+float PartEdit::tree_cost(std::size_t i, std::size_t j, EditChoice& choice) const {
     const SampledTree::Node& p = part_->nodes[i];
     const SampledTree::Node& w = whole_->nodes[j];
     float best = forest_[i * columns_ + j] + rate(p, w) * (p.length + w.length);
-    choice = {Choice::kAcross, 0};
+    choice = {EditChoice::kAcross, 0};
     const float all_but_j = of_whole_.remove[j] + of_whole_.below[j];
     for (const std::uint32_t child : whole_->shape.children(j)) {
         const float cost = (all_but_j - of_whole_.whole[child]) + tree_[i * columns_ + child];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kInto, child};
+            choice = {EditChoice::kInto, child};
         }
     }
     for (const std::uint32_t child : part_->shape.children(i)) {
@@ -88,14 +88,14 @@ float PartEdit::tree_cost(std::size_t i, std::size_t j, Choice& choice) const {
             (of_part_.whole[i] - of_part_.whole[child]) + tree_[child * columns_ + j];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kOutOf, child};
+            choice = {EditChoice::kOutOf, child};
         }
     }
     return best;
 }
 
-float PartEdit::forest_cost(std::size_t i, std::size_t j, Choice& choice) {
-    choice = {Choice::kAcross, 0};
+float PartEdit::forest_cost(std::size_t i, std::size_t j, EditChoice& choice) {
+    choice = {EditChoice::kAcross, 0};
     const Children below_i = part_->shape.children(i);
     const Children below_j = whole_->shape.children(j);
     if (below_i.empty()) return of_whole_.below[j];
@@ -108,7 +108,7 @@ float PartEdit::forest_cost(std::size_t i, std::size_t j, Choice& choice) {
         const float cost = siblings + of_whole_.remove[child] + forest_[i * columns_ + child];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kInto, child};
+            choice = {EditChoice::kInto, child};
         }
     }
     for (const std::uint32_t child : below_i) {
@@ -117,7 +117,7 @@ float PartEdit::forest_cost(std::size_t i, std::size_t j, Choice& choice) {
             (of_part_.below[i] - of_part_.below[child]) + forest_[child * columns_ + j];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kOutOf, child};
+            choice = {EditChoice::kOutOf, child};
         }
     }
     return best;
@@ -167,41 +167,23 @@ float PartEdit::pair_children(Children part, Children whole, bool free_rest,
 void PartEdit::exchanged(const SampledTree& part, const SampledTree& whole, const Place& place,
                          std::vector<Pair>& pairs) {
     pairs.clear();
-    struct Task {
-        bool forest;
-        std::uint32_t i, j;
-    };
-    std::vector<Task> tasks;
-    std::vector<Pair> children;
-    const auto pair_up = [&](Children i, Children j, bool free_rest) {
-        children.clear();
-        pair_children(i, j, free_rest, &children);
-        for (const auto& [p, w] : children) tasks.push_back({false, p, w});
-    };
-    pair_up(part.tops[place.part_top].children,
-            place.at_top ? Children(whole.tops[place.whole_top].children)
-                         : whole.shape.children(place.whole_top),
-            true);
-    while (!tasks.empty()) {
-        const auto [forest, i, j] = tasks.back();
-        tasks.pop_back();
-        Choice choice;
-        if (forest) {
-            forest_cost(i, j, choice);
-        } else {
-            tree_cost(i, j, choice);
-        }
-        if (choice.kind == Choice::kInto) {
-            tasks.push_back({forest, i, choice.child});
-        } else if (choice.kind == Choice::kOutOf) {
-            tasks.push_back({forest, choice.child, j});
-        } else if (!forest) {
-            pairs.emplace_back(i, j);
-            tasks.push_back({true, i, j});
-        } else if (!part.shape.children(i).empty() && !whole.shape.children(j).empty()) {
-            pair_up(part.shape.children(i), whole.shape.children(j), false);
-        }
-    }
+    std::vector<Pair> tops;
+    pair_children(part.tops[place.part_top].children,
+                  place.at_top ? Children(whole.tops[place.whole_top].children)
+                               : whole.shape.children(place.whole_top),
+                  true, &tops);
+    collect_exchanged(
+        tops,
+        [&](bool forest, std::uint32_t i, std::uint32_t j) {
+            EditChoice choice;
+            forest ? forest_cost(i, j, choice) : tree_cost(i, j, choice);
+            return choice;
+        },
+        [&](std::uint32_t i, std::uint32_t j, std::vector<Pair>& children) {
+            const Children below = part.shape.children(i), beside = whole.shape.children(j);
+            if (!below.empty() && !beside.empty()) pair_children(below, beside, false, &children);
+        },
+        pairs);
 }
 
 }  // namespace ossuary::matching

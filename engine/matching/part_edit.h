@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/matching/assignment.h"
+#include "engine/matching/edit_choices.h"
 #include "engine/matching/sampled_tree.h"
 
 namespace ossuary::matching {
@@ -51,18 +52,14 @@ public:
     [[nodiscard]] float rate(const SampledTree::Node& p, const SampledTree::Node& w) const;
 
 private:
-    struct Choice {
-        enum Kind : std::uint8_t { kInto, kOutOf, kAcross } kind = kAcross;
-        std::uint32_t child = 0;
-    };
     struct Sides {
         std::vector<float> remove, whole, below;
     };
     using Children = std::span<const std::uint32_t>;
 
     void sum_removals(const SampledTree& tree, float limit, Sides& sides) const;
-    float tree_cost(std::size_t i, std::size_t j, Choice& choice) const;
-    float forest_cost(std::size_t i, std::size_t j, Choice& choice);
+    float tree_cost(std::size_t i, std::size_t j, EditChoice& choice) const;
+    float forest_cost(std::size_t i, std::size_t j, EditChoice& choice);
     /// The cheapest pairing of pieces that begin at one place; those of the whole that are left
     /// over cost nothing where `free_rest`.
     float pair_children(Children part, Children whole, bool free_rest, std::vector<Pair>* pairs);

@@ -29,7 +29,7 @@ void TreeEdit::solve(const TreeEditProblem& problem, std::stop_token stop) {
         tree_.resize(rows * columns_);
         forest_.resize(rows * columns_);
     }
-    Choice ignored;
+    EditChoice ignored;
     for (std::size_t i = 0; i < rows && !stop_.stop_requested(); ++i) {
         const bool a_is_leaf = problem.a.children(i).empty();
         for (std::size_t j = 0; j < columns_; ++j) {
@@ -47,31 +47,31 @@ void TreeEdit::solve(const TreeEditProblem& problem, std::stop_token stop) {
 }
 
 float TreeEdit::tree_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
-                          Choice& choice) const {
+                          EditChoice& choice) const {
     float best = forest_[i * columns_ + j] + problem.exchange[i * columns_ + j];
-    choice = {Choice::kAcross, 0};
+    choice = {EditChoice::kAcross, 0};
     for (const std::uint32_t child : problem.b.children(j)) {
         // Everything of j's subtree goes but the child's. A difference of sums that contain each
         // other never turns negative.
         const float cost = (whole_b_[j] - whole_b_[child]) + tree_[i * columns_ + child];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kInto, child};
+            choice = {EditChoice::kInto, child};
         }
     }
     for (const std::uint32_t child : problem.a.children(i)) {
         const float cost = (whole_a_[i] - whole_a_[child]) + tree_[child * columns_ + j];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kOutOf, child};
+            choice = {EditChoice::kOutOf, child};
         }
     }
     return best;
 }
 
 float TreeEdit::forest_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
-                            Choice& choice) {
-    choice = {Choice::kAcross, 0};
+                            EditChoice& choice) {
+    choice = {EditChoice::kAcross, 0};
     const auto children_a = problem.a.children(i);
     const auto children_b = problem.b.children(j);
     if (children_a.empty()) return below_b_[j];
@@ -82,7 +82,7 @@ float TreeEdit::forest_cost(const TreeEditProblem& problem, std::size_t i, std::
         const float cost = (below_b_[j] - below_b_[child]) + forest_[i * columns_ + child];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kInto, child};
+            choice = {EditChoice::kInto, child};
         }
     }
     for (const std::uint32_t child : children_a) {
@@ -90,7 +90,7 @@ float TreeEdit::forest_cost(const TreeEditProblem& problem, std::size_t i, std::
         const float cost = (below_a_[i] - below_a_[child]) + forest_[child * columns_ + j];
         if (cost < best) {
             best = cost;
-            choice = {Choice::kOutOf, child};
+            choice = {EditChoice::kOutOf, child};
         }
     }
     return best;
@@ -140,34 +140,18 @@ float TreeEdit::pair_children(const TreeEditProblem& problem, std::size_t i, std
 void TreeEdit::exchanged(const TreeEditProblem& problem, const Pair& roots,
                          std::vector<Pair>& pairs) {
     pairs.clear();
-    struct Task {
-        bool forest;
-        std::uint32_t i, j;
-    };
-    std::vector<Task> tasks = {{false, roots.first, roots.second}};
-    std::vector<Pair> children;
-    while (!tasks.empty()) {
-        const auto [forest, i, j] = tasks.back();
-        tasks.pop_back();
-        Choice choice;
-        if (forest) {
-            forest_cost(problem, i, j, choice);
-        } else {
-            tree_cost(problem, i, j, choice);
-        }
-        if (choice.kind == Choice::kInto) {
-            tasks.push_back({forest, i, choice.child});
-        } else if (choice.kind == Choice::kOutOf) {
-            tasks.push_back({forest, choice.child, j});
-        } else if (!forest) {
-            pairs.emplace_back(i, j);
-            tasks.push_back({true, i, j});
-        } else if (!problem.a.children(i).empty() && !problem.b.children(j).empty()) {
-            children.clear();
+    collect_exchanged(
+        {roots},
+        [&](bool forest, std::uint32_t i, std::uint32_t j) {
+            EditChoice choice;
+            forest ? forest_cost(problem, i, j, choice) : tree_cost(problem, i, j, choice);
+            return choice;
+        },
+        [&](std::uint32_t i, std::uint32_t j, std::vector<Pair>& children) {
+            if (problem.a.children(i).empty() || problem.b.children(j).empty()) return;
             pair_children(problem, i, j, &children);
-            for (const auto& [ca, cb] : children) tasks.push_back({false, ca, cb});
-        }
-    }
+        },
+        pairs);
 }
 
 }  // namespace ossuary::matching

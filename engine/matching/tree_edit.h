@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/matching/assignment.h"
+#include "engine/matching/edit_choices.h"
 #include "engine/matching/tree_shape.h"
 
 namespace ossuary::matching {
@@ -44,13 +45,10 @@ public:
 
 private:
     /// How the cheapest edit of a pair of (sub)trees or forests begins.
-    struct Choice {
-        enum Kind : std::uint8_t { kInto, kOutOf, kAcross } kind = kAcross;
-        std::uint32_t child = 0;  // of j for kInto, of i for kOutOf
-    };
     float tree_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
-                    Choice& choice) const;
-    float forest_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j, Choice& choice);
+                    EditChoice& choice) const;
+    float forest_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
+                      EditChoice& choice);
     /// Cheapest pairing of the children; appends the pairs where `pairs` is given.
     float pair_children(const TreeEditProblem& problem, std::size_t i, std::size_t j,
                         std::vector<Pair>* pairs);

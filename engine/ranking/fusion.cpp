@@ -1,29 +1,61 @@
 #include "engine/ranking/fusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 namespace ossuary::ranking {
 namespace {
 
-/// Tree edit distance, skeleton pairs, skeleton layout; views, surface pairs, local volume, radial
-/// thickness. `skeleton` without the layout: first tier of the ten classes .869; with 1, 2 and 3 of
+/// What a component counts before build and pose are weighed: in the fusion, and for nearness.
+struct ComponentWeights {
+    std::string_view component;
+    double skeleton = 0.0, hybrid = 0.0;  ///< by ranker
+    double skeleton_nearness = 0.0, hybrid_nearness = 0.0;
+};
+
+/// `skeleton` without the layout: first tier of the ten classes .869; with 1, 2 and 3 of
 /// it .874, .881 and .881, and the armadillo's poses are told from other models with an AUC of
 /// .9999, .9999 and .9997. Before nearness, `hybrid` was flat near the optimum on the ten classes
 /// (.884): halving or doubling any one weight changed it by less than one point.
 /// Build and pose have no weight here: they tell bodies of a kind apart.
-constexpr ComponentValues kSkeletonWeights = {5.0, 4.0, 2.0};
-constexpr ComponentValues kHybridWeights = {5.0, 2.5, 1.0, 4.0, 1.5, 1.0, 1.5};
+///
+/// Nearness tells copies of a model from its likes, by descriptors that are means over several
+/// grids, and views. A small change of the surface turns the tree over (its median distance to a
+/// noisy copy is .43 of the mean one, that to the nearest other model .49) and moves these little
+/// (pairs .07 against .20, layout .05 against .18).
+constexpr std::array<ComponentWeights, kComponentCount> kWeights = {{
+    {"skeleton", 5.0, 5.0, 0.0, 0.0},
+    {"skeleton_pairs", 4.0, 2.5, 1.0, 1.0},
+    {"skeleton_layout", 2.0, 1.0, 1.0, 1.0},
+    {"views", 0.0, 4.0, 0.0, 2.0},
+    {"surface_pairs", 0.0, 1.5, 0.0, 0.0},
+    {"local_volume", 0.0, 1.0, 0.0, 0.0},
+    {"radial_thickness", 0.0, 1.5, 0.0, 0.0},
+    {"build"},
+    {"pose"},
+    {"size"},
+}};
+static_assert(
+    [] {
+        for (std::size_t c = 0; c < kComponentCount; ++c) {
+            if (kWeights[c].component != component_name(c)) return false;
+        }
+        return true;
+    }(),
+    "every component has its row, in their order");
+
+constexpr ComponentValues column_of_weights(double ComponentWeights::*column) {
+    ComponentValues values{};
+    for (std::size_t c = 0; c < kComponentCount; ++c) values[c] = kWeights[c].*column;
+    return values;
+}
+
 /// Of the tree edit distance's weight under `skeleton`, what stays where the skeleton tells
 /// nothing.
 constexpr double kLeastTreeShare = 0.5;
-/// What tells copies of a model from its likes: descriptors that are means over several grids, and
-/// views. A small change of the surface turns the tree over (its median distance to a noisy copy is
-/// .43 of the mean one, that to the nearest other model .49) and moves these little (pairs .07
-/// against .20, layout .05 against .18).
-constexpr ComponentValues kSkeletonNearness = {0.0, 1.0, 1.0};
-constexpr ComponentValues kHybridNearness = {0.0, 1.0, 1.0, 2.0};
 /// The share of their mean distance at which these make a pair count as near. Of 300 noisy and 300
 /// decimated copies `skeleton` finds 257 and 275 without; with .05, .1, .15 and .3 277, 284, 285,
 /// 285 and 288, 289, 289, 289, the first tier of the ten classes the same to .001.
@@ -145,13 +177,14 @@ double skeleton_information(const matching::SkeletonDescriptor& skeleton) {
 FusionSide fusion_side(const descriptor::ModelDescriptor& model, const ModelScale& scale,
                        const RankOptions& options) {
     const double information = skeleton_information(model.skeleton);
-    FusionSide side{scale, {}, kHybridNearness, options.size};
+    FusionSide side{scale, {}, {}, options.size};
     if (options.ranker == RankerKind::kSkeleton) {
-        side.weights = kSkeletonWeights;
-        side.nearness = kSkeletonNearness;
+        side.weights = column_of_weights(&ComponentWeights::skeleton);
+        side.nearness = column_of_weights(&ComponentWeights::skeleton_nearness);
         side.weights[0] *= kLeastTreeShare + (1.0 - kLeastTreeShare) * information;
     } else {
-        side.weights = kHybridWeights;
+        side.weights = column_of_weights(&ComponentWeights::hybrid);
+        side.nearness = column_of_weights(&ComponentWeights::hybrid_nearness);
         for (std::size_t c = 0; c < kSkeletonComponents; ++c) side.weights[c] *= information;
     }
     weigh_pose(side.weights, options.pose);

@@ -1,7 +1,6 @@
 #include "engine/ranking/pair_distances.h"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
 namespace ossuary::ranking {
@@ -18,14 +17,6 @@ double distance_by(const descriptor::ModelDescriptor& a, const descriptor::Model
 }
 
 }  // namespace
-
-std::string_view component_name(std::size_t component) {
-    assert(component < kComponentCount);
-    if (component == kBuildComponent) return "build";
-    if (component == kPoseComponent) return "pose";
-    if (component == kSizeComponent) return "size";
-    return component == 0 ? "skeleton" : descriptor::kGlobalDescriptorKinds[component - 1].name;
-}
 
 double build_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
     // Each over its mean over many kinds.

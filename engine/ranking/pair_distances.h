@@ -29,7 +29,13 @@ inline constexpr std::size_t kSkeletonComponents = 3;
            component >= kBuildComponent;
 }
 
-[[nodiscard]] std::string_view component_name(std::size_t component);
+/// @pre component < kComponentCount
+[[nodiscard]] constexpr std::string_view component_name(std::size_t component) {
+    if (component == kBuildComponent) return "build";
+    if (component == kPoseComponent) return "pose";
+    if (component == kSizeComponent) return "size";
+    return component == 0 ? "skeleton" : descriptor::kGlobalDescriptorKinds[component - 1].name;
+}
 
 /// How unlike two bodies are built, whatever their limbs do: their thicknesses, the pairs of them
 /// along the surface, and the pairs of points along the skeleton, in one number. 0 for equal ones,

@@ -49,8 +49,8 @@ std::optional<ZipArchive::Member> ZipArchive::member(std::uint64_t number) const
     Member member;
     member.name = found.name;
     if ((found.valid & ZIP_STAT_SIZE) != 0) member.size = found.size;
-    member.encrypted = (found.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
-                       found.encryption_method != ZIP_EM_NONE;
+    member.encrypted =
+        (found.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && found.encryption_method != ZIP_EM_NONE;
     return member;
 }
 
@@ -70,7 +70,8 @@ Result<std::string> ZipArchive::read(std::uint64_t number, std::size_t most) con
         constexpr std::size_t kStep = 1 << 20;
         const std::size_t before = bytes.size();
         bytes.resize(std::min(most, before + kStep));
-        const zip_int64_t got = zip_fread(member.get(), bytes.data() + before, bytes.size() - before);
+        const zip_int64_t got =
+            zip_fread(member.get(), bytes.data() + before, bytes.size() - before);
         if (got < 0) return invalid(std::string("one with: ") + zip_file_strerror(member.get()));
         bytes.resize(before + static_cast<std::size_t>(got));
         if (got == 0) break;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "index/content_hash.h"
 #include "index/presentation.h"
 #include "server/etag.h"
 #include "server/handlers/handlers.h"
@@ -12,39 +12,30 @@
 namespace ossuary::server {
 namespace {
 
-/// FNV-1a, so that a cursor of one list is not taken for another's.
-std::uint32_t filter_hash(const index::ModelFilter& filter) {
-    std::uint32_t hash = 2166136261u;
-    const auto add = [&hash](std::string_view text) {
-        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-        hash = (hash ^ 0x100u) * 16777619u;  // the end: no byte has this value
-    };
-    add(filter.class_name.value_or(""));
-    add(filter.name_contains);
-    return hash;
+/// So that a cursor of one list is not taken for another's.
+std::string filter_mark(const index::ModelFilter& filter) {
+    constexpr std::size_t kDigits = 8;
+    const std::string class_name = filter.class_name.value_or("");
+    const std::string text =
+        std::to_string(class_name.size()) + ' ' + class_name + filter.name_contains;
+    return index::content_hash(text).substr(0, kDigits);
 }
 
 std::string to_cursor(index::ModelId after, const index::ModelFilter& filter) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%08x%llx", filter_hash(filter),
-                  static_cast<unsigned long long>(after));
-    return text.data();
+    std::array<char, 16> digits{};
+    const auto end = std::to_chars(digits.begin(), digits.end(), after, 16).ptr;
+    return filter_mark(filter) + std::string(digits.begin(), end);
 }
 
 std::optional<index::ModelId> from_cursor(std::string_view cursor,
                                           const index::ModelFilter& filter) {
-    constexpr std::size_t kHash = 8;
-    std::uint32_t hash = 0;
+    const std::string mark = filter_mark(filter);
+    if (!cursor.starts_with(mark)) return std::nullopt;
+    cursor.remove_prefix(mark.size());
     std::int64_t after = 0;
-    if (cursor.size() <= kHash) return std::nullopt;
-    const char* middle = cursor.data() + kHash;
     const char* end = cursor.data() + cursor.size();
-    const auto first = std::from_chars(cursor.data(), middle, hash, 16);
-    const auto second = std::from_chars(middle, end, after, 16);
-    if (first.ec != std::errc() || first.ptr != middle || second.ec != std::errc() ||
-        second.ptr != end || hash != filter_hash(filter) || after < 0) {
-        return std::nullopt;
-    }
+    const auto parsed = std::from_chars(cursor.data(), end, after, 16);
+    if (parsed.ec != std::errc() || parsed.ptr != end || after < 0) return std::nullopt;
     return after;
 }
 

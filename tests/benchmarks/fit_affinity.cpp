@@ -137,6 +137,43 @@ Vector fit(const std::vector<Example>& examples, const Vector& mean, const Vecto
     return weights;
 }
 
+/// As engine/decomposition/affinity.cpp writes them.
+using enum ossuary::decomposition::PairFeature;
+constexpr ossuary::decomposition::OfPairFeatures<std::string_view> kNames = {{
+    {kThicknessLeast, "kThicknessLeast"},
+    {kThicknessMost, "kThicknessMost"},
+    {kThicknessNeck, "kThicknessNeck"},
+    {kThicknessBulge, "kThicknessBulge"},
+    {kThicknessStep, "kThicknessStep"},
+    {kDistance, "kDistance"},
+    {kGeodesic, "kGeodesic"},
+    {kDetour, "kDetour"},
+    {kConcaveWay, "kConcaveWay"},
+    {kConcaveDensity, "kConcaveDensity"},
+    {kConcaveBarrier, "kConcaveBarrier"},
+    {kCreaseBarrier, "kCreaseBarrier"},
+    {kResistance, "kResistance"},
+    {kResistanceFar, "kResistanceFar"},
+    {kCreaseResistance, "kCreaseResistance"},
+    {kCreaseResistanceFar, "kCreaseResistanceFar"},
+    {kOutsideMiddle, "kOutsideMiddle"},
+    {kOutsideNear, "kOutsideNear"},
+    {kOutsideLength, "kOutsideLength"},
+    {kSkeletonWay, "kSkeletonWay"},
+    {kSkeletonNeck, "kSkeletonNeck"},
+    {kSkeletonBulge, "kSkeletonBulge"},
+    {kSkeletonJunctions, "kSkeletonJunctions"},
+    {kSameBranch, "kSameBranch"},
+    {kRadiusLeast, "kRadiusLeast"},
+    {kRadiusMost, "kRadiusMost"},
+    {kReachLeast, "kReachLeast"},
+    {kReachMost, "kReachMost"},
+    {kCentralityLeast, "kCentralityLeast"},
+    {kCentralityMost, "kCentralityMost"},
+    {kNormals, "kNormals"},
+}};
+static_assert(ossuary::decomposition::in_order(kNames));
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,9 +197,9 @@ int main(int argc, char** argv) {
     const auto [mean, deviation] = moments(examples);
     Vector weights = fit(examples, mean, deviation).cwiseQuotient(deviation);
     weights[kUnknowns - 1] -= weights.head<kUnknowns - 1>().dot(mean.head<kUnknowns - 1>());
-    for (std::size_t k = 0; k < ossuary::decomposition::kPairFeatureCount; ++k) {
-        std::cout << fmt::format("    {:.4f}F,  // {}\n", weights[static_cast<Eigen::Index>(k)],
-                                 ossuary::decomposition::kPairFeatureNames[k]);
+    for (const auto& [feature, name] : kNames) {
+        const auto k = static_cast<Eigen::Index>(feature);
+        std::cout << fmt::format("    {{{}, {:.4f}F}},\n", name, weights[k]);
     }
     std::cout << fmt::format("    constant {:.4f}\n", weights[kUnknowns - 1]);
     return 0;

@@ -57,6 +57,10 @@ TEST(Gltf, HoldsPartsJointsAndWeights) {
     EXPECT_EQ(document["skins"][0]["joints"].size(), 2u);
     EXPECT_EQ(document["nodes"][0]["children"], nlohmann::json::array({1}));
     EXPECT_EQ(document["nodes"][1]["translation"], nlohmann::json::array({0.0, 0.0, 0.5}));
+    // What readers go by; names are for people.
+    EXPECT_FALSE(document["nodes"][0].contains("extras"));
+    EXPECT_EQ(document["nodes"][1]["extras"], (nlohmann::json{{"branch", 0}}));
+    EXPECT_EQ(document["materials"][1]["extras"], (nlohmann::json{{"part", 1}}));
     // Every accessor lies in the buffer, and the buffer ends the file.
     const std::size_t buffer = document["buffers"][0]["byteLength"];
     EXPECT_EQ(20 + text_bytes + 8 + buffer, glb.size());

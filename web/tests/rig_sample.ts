@@ -52,8 +52,13 @@ function nodes(withBranches: boolean): object[] {
     return withBranches
         ? [
               { name: 'root', children: [1] },
-              { name: 'branch 0', children: [2] },
-              { name: 'branch 1', translation: [1, 0, 0], children: [3] },
+              { name: 'branch 0', extras: { branch: 0 }, children: [2] },
+              {
+                  name: 'branch 1',
+                  extras: { branch: 1 },
+                  translation: [1, 0, 0],
+                  children: [3],
+              },
               { name: 'tip of branch 1', translation: [1, 0, 0] },
               model,
           ]
@@ -111,7 +116,10 @@ export function rigFile(options: Partial<RigFileOptions> = {}): ArrayBuffer {
         buffers: [{ byteLength: length }],
         bufferViews: views,
         accessors,
-        materials: [{ name: 'part 0' }, { name: 'part 1' }],
+        materials: [
+            { name: 'part 0', extras: { part: 0 } },
+            { name: 'part 1', extras: { part: 1 } },
+        ],
         meshes: [{ primitives }],
         nodes: placed,
         skins: [

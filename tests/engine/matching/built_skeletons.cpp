@@ -212,6 +212,20 @@ skeleton::SkeletonGraph moved(const skeleton::SkeletonGraph& graph, const Mat3& 
     return result;
 }
 
+std::vector<matching::SkeletonDescriptor> many_skeletons(std::uint32_t seed) {
+    std::vector<matching::SkeletonDescriptor> all;
+    for (const skeleton::SkeletonGraph& graph :
+         {human(0.1), human(0.9), four_leg(0.2), four_leg(0.8), octopus(0.3), curve(), ring(),
+          cup(), figure_eight(), two_components(), point(), skeleton::SkeletonGraph{}}) {
+        all.push_back(describe(graph));
+    }
+    std::mt19937 random(seed);
+    for (int round = 0; round < 20; ++round) {
+        all.push_back(describe(random_skeleton(random, 1 + round, round % 4)));
+    }
+    return all;
+}
+
 matching::SkeletonDescriptor describe(const skeleton::SkeletonGraph& graph, double scale) {
     return matching::describe_skeleton(graph, scale);
 }

@@ -42,6 +42,9 @@ skeleton::SkeletonGraph renumbered(const skeleton::SkeletonGraph& graph, std::mt
 skeleton::SkeletonGraph moved(const skeleton::SkeletonGraph& graph, const Mat3& linear,
                               const Vec3& shift, double scale);
 
+/// All of these and twenty random ones, some with cycles, as descriptors.
+std::vector<matching::SkeletonDescriptor> many_skeletons(std::uint32_t seed);
+
 /// Descriptor at a scale that suits the built skeletons.
 matching::SkeletonDescriptor describe(const skeleton::SkeletonGraph& graph, double scale = 100.0);
 

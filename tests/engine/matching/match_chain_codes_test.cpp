@@ -18,28 +18,13 @@ double chain_code_distance(const SkeletonDescriptor& a, const SkeletonDescriptor
     return chain_code_distance(a, b, options, workspace);
 }
 
-std::vector<SkeletonDescriptor> chain_code_skeletons() {
-    std::vector<SkeletonDescriptor> all;
-    for (const skeleton::SkeletonGraph& graph :
-         {test::human(0.1), test::human(0.9), test::four_leg(0.2), test::four_leg(0.8),
-          test::octopus(0.3), test::curve(), test::ring(), test::cup(), test::figure_eight(),
-          test::two_components(), test::point(), skeleton::SkeletonGraph{}}) {
-        all.push_back(describe(graph));
-    }
-    std::mt19937 random(91);
-    for (int round = 0; round < 20; ++round) {
-        all.push_back(describe(test::random_skeleton(random, 1 + round, round % 4)));
-    }
-    return all;
-}
-
 TEST(MatchChainCodes, GivesZeroForASkeletonAndItself) {
-    for (const auto& skeleton : chain_code_skeletons())
+    for (const auto& skeleton : test::many_skeletons(91))
         EXPECT_EQ(chain_code_distance(skeleton, skeleton), 0.0);
 }
 
 TEST(MatchChainCodes, IsSymmetricBitByBitAndInTheUnitRange) {
-    const auto all = chain_code_skeletons();
+    const auto all = test::many_skeletons(91);
     for (const auto& a : all) {
         for (const auto& b : all) {
             EXPECT_EQ(chain_code_distance(a, b), chain_code_distance(b, a));
@@ -63,7 +48,7 @@ TEST(MatchChainCodes, DoesNotDependOnNumberingDirectionOrAWholeVoxelShift) {
 }
 
 TEST(MatchChainCodes, IsTheMeanOverMatchedAndLeftOverBranches) {
-    const auto all = chain_code_skeletons();
+    const auto all = test::many_skeletons(91);
     for (const auto& a : all) {
         for (const auto& b : all) {
             const Match match = match_chain_codes(a, b);
@@ -84,7 +69,7 @@ TEST(MatchChainCodes, IsTheMeanOverMatchedAndLeftOverBranches) {
 }
 
 TEST(MatchChainCodes, MatchesBranchesWhoseBothEndsAreMatched) {
-    const auto all = chain_code_skeletons();
+    const auto all = test::many_skeletons(91);
     for (const auto& a : all) {
         for (const auto& b : all) {
             const Correspondence c = match_chain_codes(a, b).correspondence;

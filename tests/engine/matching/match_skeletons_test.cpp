@@ -18,23 +18,8 @@ double skeleton_distance(const SkeletonDescriptor& a, const SkeletonDescriptor& 
     return skeleton_distance(a, b, options, workspace);
 }
 
-std::vector<SkeletonDescriptor> many_skeletons() {
-    std::vector<SkeletonDescriptor> all;
-    for (const skeleton::SkeletonGraph& graph :
-         {test::human(0.1), test::human(0.9), test::four_leg(0.2), test::four_leg(0.8),
-          test::octopus(0.3), test::curve(), test::ring(), test::cup(), test::figure_eight(),
-          test::two_components(), test::point(), skeleton::SkeletonGraph{}}) {
-        all.push_back(describe(graph));
-    }
-    std::mt19937 random(81);
-    for (int round = 0; round < 20; ++round) {
-        all.push_back(describe(test::random_skeleton(random, 1 + round, round % 4)));
-    }
-    return all;
-}
-
 TEST(MatchSkeletons, GivesZeroForASkeletonAndItselfOnly) {
-    const auto all = many_skeletons();
+    const auto all = test::many_skeletons(81);
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(skeleton_distance(all[i], all[i]), 0.0);
         for (std::size_t j = 0; j < i; ++j) EXPECT_GT(skeleton_distance(all[i], all[j]), 1e-4);
@@ -42,7 +27,7 @@ TEST(MatchSkeletons, GivesZeroForASkeletonAndItselfOnly) {
 }
 
 TEST(MatchSkeletons, IsSymmetricBitByBitAndBounded) {
-    const auto all = many_skeletons();
+    const auto all = test::many_skeletons(81);
     for (const auto& a : all) {
         for (const auto& b : all) {
             EXPECT_EQ(skeleton_distance(a, b), skeleton_distance(b, a));
@@ -53,7 +38,7 @@ TEST(MatchSkeletons, IsSymmetricBitByBitAndBounded) {
 }
 
 TEST(MatchSkeletons, GivesTheFastDistanceBitByBitAndPartsThatAddUpToIt) {
-    const auto all = many_skeletons();
+    const auto all = test::many_skeletons(81);
     SkeletonMatchWorkspace workspace;
     for (const auto& a : all) {
         for (const auto& b : all) {
@@ -172,7 +157,7 @@ void expect_consistent(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
 }
 
 TEST(MatchSkeletons, NamesConsistentCorrespondences) {
-    const auto all = many_skeletons();
+    const auto all = test::many_skeletons(81);
     for (const auto& a : all) {
         for (const auto& b : all) {
             expect_consistent(a, b, match_skeletons(a, b).correspondence, false);

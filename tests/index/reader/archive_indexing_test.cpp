@@ -67,7 +67,8 @@ TEST_F(ArchiveIndexing, TakesEveryModelOfEveryArchive) {
     write("photos.zip", {{"holiday.jpg", "no model"}});
     ASSERT_TRUE(write_whole_file(models_ / "torn.zip", "PK\3\4 and no more"));
     IndexOptions with_classes = options();
-    with_classes.classes = ranking::parse_classification("PSB 1\n1 1\n\nblock 0 1\n12\n", "x.cla").value();
+    with_classes.classes =
+        ranking::parse_classification("PSB 1\n1 1\n\nblock 0 1\n12\n", "x.cla").value();
     const IndexOutcome outcome = run(with_classes);
     EXPECT_EQ(outcome.files, 5U);
     EXPECT_EQ(outcome.indexed, 3U);
@@ -117,7 +118,8 @@ TEST_F(ArchiveIndexing, PrunesWhatIsNoLongerInAnArchive) {
 
     // One gone, and one archive that has become two models.
     write("a.zip", {{"bar.obj", bar_}, {"ring.stl", ring_}});
-    write("b.zip", {{"box.off", box_}, {"tall.obj", mesh::to_obj(test::box_mesh({0, 0, 0}, {1, 1, 9}))}});
+    write("b.zip",
+          {{"box.off", box_}, {"tall.obj", mesh::to_obj(test::box_mesh({0, 0, 0}, {1, 1, 9}))}});
     const IndexOutcome outcome = run(prune);
     EXPECT_EQ(outcome.pruned, 2U);
     EXPECT_THAT(paths(), UnorderedElementsAre("a.zip#bar.obj", "a.zip#ring.stl", "b.zip#box.off",

@@ -37,8 +37,7 @@ protected:
     ModelReader reader_;
     const std::string box_ = mesh::to_off(test::box_mesh({0, 0, 0}, {1, 2, 3}));
     const std::string ring_ = mesh::to_stl(test::torus_mesh(1.0, 0.3));
-    const std::string ring_triangles_ =
-        std::to_string(test::torus_mesh(1.0, 0.3).triangles.size());
+    const std::string ring_triangles_ = std::to_string(test::torus_mesh(1.0, 0.3).triangles.size());
     std::string message_;
 };
 
@@ -90,8 +89,8 @@ TEST_F(Archives, AreRefusedWithACode) {
     EXPECT_EQ(read(write("large.zip", {{"zeros.stl", std::string(1001, '\0')}}), little),
               "file_too_large");
     EXPECT_EQ(read(folder_.path() / "gone.zip#box.off"), "file_not_found");
-    EXPECT_EQ(message_, (folder_.path() / "gone.zip#box.off").string() +
-                            ": No such file or directory");
+    EXPECT_EQ(message_,
+              (folder_.path() / "gone.zip#box.off").string() + ": No such file or directory");
 }
 
 TEST_F(Archives, ThatAreDamagedAreRefusedWithACode) {

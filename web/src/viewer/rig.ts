@@ -15,21 +15,20 @@ export interface Rig {
     bones: Bone[];
 }
 
-/** The loader makes names fit for its own paths, and keeps the file's beside them. */
-function nameOf(object: Object3D): string {
-    const { name } = object.userData;
-    return typeof name === 'string' ? name : object.name;
+/** A number that the file says of one of its things. */
+function extra(userData: Record<string, unknown>, name: string): number | null {
+    const value = userData[name];
+    return typeof value === 'number' ? value : null;
 }
 
 /** The branch of the skeleton that turns with a bone; null for the root and the tips. */
 export function branchOf(bone: Bone): number | null {
-    const found = /^branch (\d+)$/.exec(nameOf(bone))?.[1];
-    return found === undefined ? null : Number(found);
+    return extra(bone.userData, 'branch');
 }
 
 function partOf(mesh: SkinnedMesh): number {
     const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
-    return Number(/^part (\d+)$/.exec(material?.name ?? '')?.[1] ?? 0);
+    return extra(material?.userData ?? {}, 'part') ?? 0;
 }
 
 /** Where the bones at rest take the vertices' zero; numbers of three.js' matrices are doubles. */
