@@ -20,6 +20,11 @@ std::string content_hash(std::string_view bytes) {
     return text;
 }
 
+std::string content_hash(std::string_view bytes, std::string_view object) {
+    const std::string whole = content_hash(bytes);
+    return object.empty() ? whole : content_hash(whole + "#" + std::string(object));
+}
+
 bool is_content_hash(std::string_view text) {
     return text.size() == 32 && std::all_of(text.begin(), text.end(), [](char c) {
                return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');

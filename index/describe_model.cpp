@@ -33,7 +33,8 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
                                   std::stop_token stop) {
     auto read = source.reader == nullptr
                     ? voxel::read_model(source.bytes, source.name, {}, stop)
-                    : source.reader->read({source.bytes, source.name, source.companions}, {}, stop);
+                    : source.reader->read(
+                          {source.bytes, source.name, source.companions, source.object}, {}, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);
@@ -42,7 +43,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
 
     NewModel model;
     const mesh::MeshMeasures measures = mesh::measure(mesh);
-    model.summary.content_hash = content_hash(source.bytes);
+    model.summary.content_hash = content_hash(source.bytes, source.object);
     model.summary.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     model.summary.faces = mesh.face_count;
     model.summary.bounds = measures.bounds;

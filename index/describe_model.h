@@ -17,7 +17,8 @@ struct ModelSource {
     std::optional<Up> up = {};  ///< as a person has said; none = the file's, or found
     /// Reads it; null = formats that are read within the program alone.
     ModelReader* reader = nullptr;
-    Companions companions = {};  ///< files that it refers to; none = it stands alone
+    Companions companions = {};    ///< files that it refers to; none = it stands alone
+    std::string_view object = {};  ///< of the file, that is meant; empty = all of it
 };
 
 /// From a model file to all that an index keeps of it. The summary's path, name and class are left

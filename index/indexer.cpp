@@ -13,7 +13,7 @@
 #include "index/model_files.h"
 #include "index/model_place.h"
 #include "index/model_timer.h"
-#include "index/open_archives.h"
+#include "index/open_files.h"
 #include "index/ordered_pipeline.h"
 #include "index/snapshot.h"
 #include "index/timestamp.h"
@@ -71,9 +71,6 @@ private:
     Result<std::vector<ModelSummary>> all_models();
     Result<void> prune();
 
-    [[nodiscard]] static std::string name_of(const fs::path& path) {
-        return place_of(path).file_name().stem().string();
-    }
     [[nodiscard]] std::optional<std::string> class_of(const fs::path& path) const {
         const auto found = classes_.find(place_of(path).file_name().string());
         if (found == classes_.end()) return {};
@@ -113,7 +110,7 @@ FileOutcome IndexRun::process(const fs::path& path) {
         outcome.error = file.error();
         return outcome;
     }
-    outcome.content_hash = content_hash(file->bytes.view());
+    outcome.content_hash = content_hash(file->bytes.view(), file->object);
     auto work = store_.claim_work(path.string(), outcome.content_hash);
     if (!work) {
         outcome.kind = FileOutcome::Kind::kBroken;
@@ -160,17 +157,17 @@ Result<ModelBytes> IndexRun::open(const fs::path& path) {
     if (options_.reader != nullptr) return options_.reader->open(path, most, stop_);
     auto bytes = read_whole_file(path, most);
     if (!bytes) return bytes.error();
-    return ModelBytes{*std::move(bytes), path.string(), {}};
+    return ModelBytes{*std::move(bytes), path.string(), {}, {}};
 }
 
 FileOutcome IndexRun::describe_file(const fs::path& path, const ModelBytes& file,
                                     std::optional<Up> up) {
     FileOutcome outcome;
-    outcome.content_hash = content_hash(file.bytes.view());
+    outcome.content_hash = content_hash(file.bytes.view(), file.object);
     const ModelTimer::Watch watch(timer_, stop_);
-    auto model =
-        describe_model({file.bytes.view(), file.name, up, options_.reader, file.companions},
-                       store_.parameters(), watch.token());
+    auto model = describe_model(
+        {file.bytes.view(), file.name, up, options_.reader, file.companions, file.object},
+        store_.parameters(), watch.token());
     // An interrupted run leaves no model behind that is short of its parts.
     if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
@@ -224,7 +221,7 @@ bool IndexRun::consume(const fs::path& path, FileOutcome outcome) {
 
 void IndexRun::put(const fs::path& path, NewModel model) {
     model.summary.path = path.string();
-    model.summary.name = name_of(path);
+    model.summary.name = place_of(path).name();
     model.summary.class_name = class_of(path).value_or("");
     ++outcome_.indexed;
     change(PutModel{std::move(model)});
@@ -257,7 +254,7 @@ void IndexRun::move(const fs::path& path, FileOutcome outcome) {
             error_ = std::move(turned.error);
             return;
         }
-        change(MoveModel{model.id, path.string(), name_of(path), class_of(path)});
+        change(MoveModel{model.id, path.string(), place_of(path).name(), class_of(path)});
         take_turn(std::move(turned.turn));
         return;
     }
@@ -325,7 +322,11 @@ Result<void> IndexRun::find_files() {
     if (!found) return found.error();
     found_ = *std::move(found);
     if (options_.reader != nullptr) {
-        const auto opened = open_archives(found_, roots_, options_.walk, *options_.reader, stop_);
+        auto opened = open_archives(found_, roots_, options_.walk, *options_.reader, stop_);
+        if (opened && options_.split) {
+            sink_.phase("looking for objects in " + std::to_string(found_.files.size()) + " files");
+            opened = split_files(found_, *options_.reader, options_.jobs, stop_);
+        }
         if (!opened) return opened.error();
     }
     for (const fs::path& root : found_.missing) {

@@ -42,6 +42,8 @@ struct IndexOptions {
     std::optional<Up> up;
     /// Reads the files; null = formats that are read within the program alone.
     ModelReader* reader = nullptr;
+    /// Each object of a file that tells several apart is a model of its own, placed as in the file.
+    bool split = false;
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same
     /// A model that takes longer is recorded as `cancelled` (seen between the stages of its
     /// description), or indexed without parts if only those were missing; 0 = for ever.

@@ -40,14 +40,6 @@ bool is_hidden_name(std::string_view name) {
     return std::find(std::begin(kNames), std::end(kNames), lower) != std::end(kNames);
 }
 
-bool is_archive_name(const fs::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return extension == ".zip";
-}
-
 namespace {
 
 bool is_excluded(std::string_view below, bool is_folder, const WalkOptions& options) {

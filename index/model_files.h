@@ -24,9 +24,6 @@ namespace ossuary::index {
 /// `$RECYCLE.BIN`, `System Volume Information`, `__MACOSX`, `lost+found`; any case).
 [[nodiscard]] bool is_hidden_name(std::string_view name);
 
-/// Whether a file's name is that of a ZIP archive (any case).
-[[nodiscard]] bool is_archive_name(const std::filesystem::path& path);
-
 /// What a walk leaves out below the folders that it is given.
 struct WalkOptions {
     std::vector<Glob> exclude;  ///< files and folders that match one are passed over
@@ -56,8 +53,8 @@ struct FoundFiles {
     std::vector<std::filesystem::path> missing;       ///< named, and not there
     std::vector<std::filesystem::path> seen_before;   ///< the links so counted
     std::vector<std::filesystem::path> broken_links;  ///< the links so counted
-    std::vector<std::filesystem::path>
-        archives;  ///< whose models are among `files` (open_archives)
+    /// What has its models among `files` in its place (open_files.h), sorted.
+    std::vector<std::filesystem::path> opened;
 };
 
 /// All model files that `paths` name: files as they are, and folders with the model files below

@@ -5,14 +5,18 @@
 
 namespace ossuary::index {
 
-/// Where a model is: a file, and which part of it where that holds several ("parts.zip#arm.stl":
-/// the member arm.stl of parts.zip). The index keeps both as one path.
+/// Where a model is: a file, a member of it where it is an archive, and one object of these where
+/// it is not the whole. The index keeps all as one path: `parts.zip#arms/left.stl`,
+/// `plate.3mf#Wheel`, `toys.zip#car.glb#Wheel`.
 struct ModelPlace {
     std::filesystem::path file;
-    std::string within;  ///< empty = all of the file
+    std::string member;  ///< of a ZIP archive; empty = none
+    std::string object;  ///< empty = all that is there
 
-    /// What classifications name, and names come from: the file's own name, or the member's.
+    /// What classifications name: the file's own name, or the member's.
     [[nodiscard]] std::filesystem::path file_name() const;
+    /// What people call the model: the object, or the file's name without its extension.
+    [[nodiscard]] std::string name() const;
 };
 
 /// A path that names a file that exists stands for that, whatever is in its name; else what follows
@@ -21,5 +25,8 @@ struct ModelPlace {
 
 /// The other way round.
 [[nodiscard]] std::filesystem::path path_of(const ModelPlace& place);
+
+/// Whether a file's name is that of a ZIP archive (any case).
+[[nodiscard]] bool is_archive_name(const std::filesystem::path& path);
 
 }  // namespace ossuary::index

@@ -12,9 +12,11 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/mesh/model_objects.h"
 #include "engine/mesh/recognise_format.h"
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/read_model.h"
+#include "index/content_hash.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
 
@@ -47,16 +49,20 @@ Result<Archive> hold_archive(std::string_view bytes) {
     return std::make_shared<const OwnedDescriptor>(*std::move(file));
 }
 
-Error several(const std::vector<std::string>& models) {
+/// The first of them, for messages.
+std::string list_of(const std::vector<std::string>& names) {
     constexpr std::size_t kMostNamed = 20;
     std::string list;
-    for (std::size_t i = 0; i < std::min(models.size(), kMostNamed); ++i) {
-        list += (i == 0 ? "" : ", ") + mesh::quoted_token(models[i].substr(0, 200));
+    for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+        list += (i == 0 ? "" : ", ") + mesh::quoted_token(names[i].substr(0, 200));
     }
-    if (models.size() > kMostNamed) list += ", …";
+    return names.size() > kMostNamed ? list + ", …" : list;
+}
+
+Error several(const std::vector<std::string>& models) {
     return {ErrorCode::kArchiveSeveral, "expected one model in the archive, found " +
                                             std::to_string(models.size()) +
-                                            "; name one after '#': " + list};
+                                            "; name one after '#': " + list_of(models)};
 }
 
 Error stands_alone(std::string_view name) {
@@ -160,7 +166,7 @@ Result<ModelBytes> ModelReader::open_member(const Archive& archive, std::string_
                                             " that it refers to, found none in the archive (" +
                                             found.error().message + ")"};
     };
-    return ModelBytes{*std::move(bytes), std::string(name) + "#" + request.member, companions};
+    return ModelBytes{*std::move(bytes), std::string(name) + "#" + request.member, companions, {}};
 }
 
 Result<ModelBytes> ModelReader::open_only_model(const Archive& archive, std::string_view name,
@@ -179,24 +185,31 @@ Result<ModelBytes> ModelReader::open(const fs::path& path, std::uint64_t max_byt
                                      const std::stop_token& stop) {
     const ModelPlace place = place_of(path);
     auto opened = [&]() -> Result<ModelBytes> {
-        if (!place.within.empty()) {
+        if (!place.member.empty()) {
             auto archive = open_archive(place.file);
             if (!archive) return archive.error();
-            return open_member(*archive, place.file.string(), {place.within, max_bytes}, stop);
+            return open_member(*archive, place.file.string(), {place.member, max_bytes}, stop);
         }
-        Result<WholeFile> file = read_whole_file(path, max_bytes);
+        Result<WholeFile> file = read_whole_file(place.file, max_bytes);
         if (!file) return file.error();
         if (mesh::recognise_format(file->view()) == mesh::ModelFormat::kZip) {
             auto archive = hold_archive(file->view());
             if (!archive) return archive.error();
-            return open_only_model(*archive, path.string(), max_bytes, stop);
+            return open_only_model(*archive, place.file.string(), max_bytes, stop);
         }
-        const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-        return ModelBytes{*std::move(file), path.string(),
+        const fs::path folder =
+            place.file.has_parent_path() ? place.file.parent_path() : fs::path(".");
+        return ModelBytes{*std::move(file),
+                          place.file.string(),
                           [folder](std::string_view name, std::uint64_t most) {
                               return open_beneath(folder, name, most);
-                          }};
+                          },
+                          {}};
     }();
+    if (opened && !place.object.empty()) {
+        opened->object = place.object;
+        opened->name = path.string();
+    }
     return named(std::move(opened), path.string());
 }
 
@@ -211,12 +224,63 @@ Result<mesh::ReadMeshResult> ModelReader::read(const fs::path& path,
                                                const std::stop_token& stop) {
     const auto model = open(path, caps.max_bytes, stop);
     if (!model) return model.error();
-    return read(Source{model->bytes.view(), model->name, model->companions}, caps, stop);
+    return read(Source{model->bytes.view(), model->name, model->companions, model->object}, caps,
+                stop);
+}
+
+Result<ModelReader::WholeModel> ModelReader::read_to_split(const Source& source,
+                                                           const mesh::ReadMeshOptions& caps,
+                                                           const std::stop_token& stop) {
+    const std::string hash = content_hash(source.bytes);
+    {
+        const Lock lock(mutex_);
+        if (split_ != nullptr && split_hash_ == hash) return split_;
+    }
+    auto read_all = read({source.bytes, source.name, source.companions, {}}, caps, stop);
+    if (!read_all) return read_all.error();
+    auto whole = std::make_shared<const mesh::ReadMeshResult>(*std::move(read_all));
+    const Lock lock(mutex_);
+    split_hash_ = hash;
+    split_ = whole;
+    return whole;
+}
+
+Result<std::vector<std::string>> ModelReader::list_objects(const fs::path& path,
+                                                           const mesh::ReadMeshOptions& caps,
+                                                           const std::stop_token& stop) {
+    const auto model = open(path, caps.max_bytes, stop);
+    if (!model) return model.error();
+    const auto whole =
+        read_to_split({model->bytes.view(), model->name, model->companions, {}}, caps, stop);
+    if (!whole) return whole.error();
+    return mesh::object_names((*whole)->objects);
+}
+
+Result<mesh::ReadMeshResult> ModelReader::read_object(const Source& source,
+                                                      const mesh::ReadMeshOptions& caps,
+                                                      const std::stop_token& stop) {
+    const auto whole = read_to_split(source, caps, stop);
+    if (!whole) return whole.error();
+    const std::vector<std::string> names = mesh::object_names((*whole)->objects);
+    const auto found = std::find(names.begin(), names.end(), source.object);
+    if (found == names.end()) {
+        return {ErrorCode::kObjectMissing,
+                std::string(source.name) + ": expected an object " +
+                    mesh::quoted_token(source.object.substr(0, 200)) + ", found " +
+                    (names.empty() ? std::string("none with a name") : list_of(names))};
+    }
+    const auto number = static_cast<std::size_t>(found - names.begin());
+    mesh::ReadMeshResult read;
+    read.mesh = mesh::object_mesh((*whole)->mesh, (*whole)->objects[number]);
+    read.metres_per_unit = (*whole)->metres_per_unit;
+    read.up = (*whole)->up;
+    return mesh::finish_reading(std::move(read), source.name, caps, stop);
 }
 
 Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
                                                const mesh::ReadMeshOptions& caps,
                                                const std::stop_token& stop) {
+    if (!source.object.empty()) return read_object(source, caps, stop);
     const mesh::ModelFormat format = mesh::recognise_format(source.bytes);
     const bool fits = source.bytes.size() <= caps.max_bytes;
     if (format == mesh::ModelFormat::kZip && fits) {

@@ -27,6 +27,7 @@ struct ModelBytes {
     std::string name;  ///< stands for the file in messages
     /// Where it lies; not to be asked once the reader that opened it has gone.
     Companions companions;
+    std::string object;  ///< of the file, that is meant (ModelPlace); empty = all of it
 };
 
 /// The models in a ZIP archive.
@@ -59,16 +60,23 @@ public:
     Result<ModelBytes> open(const std::filesystem::path& path, std::uint64_t max_bytes,
                             const std::stop_token& stop = {});
 
+    /// The names of the objects of a model file (mesh::object_names); fewer than two where it is
+    /// one model. The file is kept for the next call that asks for an object of it. Errors: those
+    /// of read.
+    Result<std::vector<std::string>> list_objects(const std::filesystem::path& path,
+                                                  const mesh::ReadMeshOptions& caps = {},
+                                                  const std::stop_token& stop = {});
+
     /// What a ZIP archive holds.
     /// Errors: file_not_found, file_unreadable, archive_invalid; those of the process.
     Result<ArchiveModels> list_archive(const std::filesystem::path& archive,
                                        const std::stop_token& stop = {});
 
     /// Reads a model, with the files that it refers to in and below its folder.
-    /// Errors: those of open and of voxel::read_model; for the others three_mf_invalid,
-    /// three_mf_extension, gltf_invalid, gltf_extension, gltf_buffer, scene_invalid, model_…;
-    /// reader_time, reader_memory and reader_crashed where a file cost its reader's life;
-    /// reader_unavailable.
+    /// Errors: those of open and of voxel::read_model; object_missing; for the others
+    /// three_mf_invalid, three_mf_extension, gltf_invalid, gltf_extension, gltf_buffer,
+    /// scene_invalid, model_…; reader_time, reader_memory and reader_crashed where a file cost its
+    /// reader's life; reader_unavailable.
     Result<mesh::ReadMeshResult> read(const std::filesystem::path& path,
                                       const mesh::ReadMeshOptions& caps = {},
                                       const std::stop_token& stop = {});
@@ -76,8 +84,9 @@ public:
     /// The same from memory.
     struct Source {
         std::string_view bytes;
-        std::string_view name;       ///< stands for the file in messages
-        Companions companions = {};  ///< none = it stands alone
+        std::string_view name;         ///< stands for the file in messages
+        Companions companions = {};    ///< none = it stands alone
+        std::string_view object = {};  ///< empty = all of it
     };
     Result<mesh::ReadMeshResult> read(const Source& source, const mesh::ReadMeshOptions& caps = {},
                                       const std::stop_token& stop = {});
@@ -95,12 +104,21 @@ private:
                              const std::stop_token& stop);
     Result<ModelBytes> open_member(const Archive& archive, std::string_view name,
                                    const UnpackRequest& request, const std::stop_token& stop);
+    using WholeModel = std::shared_ptr<const mesh::ReadMeshResult>;
+    Result<WholeModel> read_to_split(const Source& source, const mesh::ReadMeshOptions& caps,
+                                     const std::stop_token& stop);
+    Result<mesh::ReadMeshResult> read_object(const Source& source,
+                                             const mesh::ReadMeshOptions& caps,
+                                             const std::stop_token& stop);
     Result<ModelBytes> open_only_model(const Archive& archive, std::string_view name,
                                        std::uint64_t max_bytes, const std::stop_token& stop);
 
     const Options options_;
     Mutex mutex_;
     std::vector<std::unique_ptr<ReaderProcess>> waiting_ OSSUARY_GUARDED_BY(mutex_);
+    /// The file that an object was asked of last, by its content hash.
+    std::string split_hash_ OSSUARY_GUARDED_BY(mutex_);
+    WholeModel split_ OSSUARY_GUARDED_BY(mutex_);
 };
 
 /// Opens a file that a model refers to, by a relative name that does not lead out of `folder`, not

@@ -40,8 +40,8 @@ public:
             return false;
         }
         // As if archives were folders.
-        const fs::path as_in_folder = place.within.empty() ? place.file : place.file / place.within;
-        return is_gone(path) || was_opened(place.file) ||
+        const fs::path as_in_folder = place.member.empty() ? place.file : place.file / place.member;
+        return is_gone(path) || was_opened(place) || is_whole_now(place) ||
                is_passed_over(as_in_folder, roots_, options_) ||
                is_under(place.file, found_.seen_before);
     }
@@ -53,9 +53,14 @@ private:
             [](const fs::path& a, const fs::path& b) { return a.native() < b.native(); });
     }
     [[nodiscard]] bool is_found(const fs::path& path) const { return is_among(found_.files, path); }
-    /// Whether all that is in an archive has been found.
-    [[nodiscard]] bool was_opened(const fs::path& archive) const {
-        return is_among(found_.archives, archive);
+    /// Whether all that is in the file, or the member, has been found.
+    [[nodiscard]] bool was_opened(const ModelPlace& place) const {
+        return is_among(found_.opened, place.file) ||
+               is_among(found_.opened, path_of({place.file, place.member, {}}));
+    }
+    /// Whether an object's file has been found as one model.
+    [[nodiscard]] bool is_whole_now(const ModelPlace& place) const {
+        return !place.object.empty() && is_found(path_of({place.file, place.member, {}}));
     }
 
     const std::vector<fs::path>& roots_;

@@ -145,6 +145,7 @@ const std::vector<ErrorRow>& error_rows() {
         {kArchiveMember, 422, "No such file in the archive"},
         {kArchiveSeveral, 422, "Archive of several models"},
         {kArchiveEmpty, 422, "Archive without models"},
+        {kObjectMissing, 422, "No such object"},
         {kVolumeTooLarge, 413, "Volume too large"},
         {kMeshScale, 422, "Mesh of a scale that floats cannot hold"},
         {kPointsTooFew, 422, "Too few points"},

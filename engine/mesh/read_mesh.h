@@ -30,12 +30,10 @@ struct ReadMeshOptions {
 /// The axis that points up where a format says or means one.
 enum class UpAxis { kX, kY, kZ };
 
-/// A named piece of a model file, placed as in the file: a run of the mesh's vertices, and the run
-/// of triangles between them.
+/// A piece of a model file that the file tells from others, placed as there: a run of the mesh's
+/// triangles (model_objects.h).
 struct ModelObject {
-    std::string name;  ///< empty where the file has none
-    std::uint32_t first_vertex = 0;
-    std::uint32_t vertices = 0;
+    std::string name;  ///< any bytes; empty where the file has none
     std::uint32_t first_triangle = 0;
     std::uint32_t triangles = 0;
 };
@@ -45,7 +43,9 @@ struct ReadMeshResult {
     std::vector<MeshWarning> warnings;
     double metres_per_unit = 0.0;  ///< 0 where neither file nor format says it
     std::optional<UpAxis> up = std::nullopt;
-    std::vector<ModelObject> objects = {};  ///< of formats that have them
+    /// In their order, of formats that have them: 3MF, glTF, COLLADA, X3D, AMF, FBX, OBJ, STL as
+    /// text.
+    std::vector<ModelObject> objects = {};
 };
 
 /// Reads a model file; the format follows its contents, not its name: OFF and relatives, STL, OBJ,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh_builder.h"
+#include "engine/mesh/model_objects.h"
 #include "engine/mesh/obj_lines.h"
 
 namespace ossuary::mesh {
@@ -17,20 +18,31 @@ constexpr ReaderCodes kObjCodes = {ErrorCode::kObjTooManyVertices, ErrorCode::kO
                                    ErrorCode::kObjTooManyCorners, ErrorCode::kObjBadNumber,
                                    ErrorCode::kObjNonFinite};
 
-enum class ObjStatement { kVertex, kFace, kLineOrPoint, kFreeForm, kIgnored, kUnknown };
+enum class ObjStatement {
+    kVertex,
+    kFace,
+    kObject,
+    kGroup,
+    kLineOrPoint,
+    kFreeForm,
+    kIgnored,
+    kUnknown
+};
 
 ObjStatement statement_of(std::string_view word) {
     constexpr std::array<std::string_view, 5> kFreeForm = {"curv", "curv2", "surf", "bzp", "bsp"};
-    constexpr std::array<std::string_view, 32> kIgnored = {
-        "vn",       "vt",     "vp",       "g",      "o",          "s",         "mg",   "mtllib",
-        "usemtl",   "usemap", "lod",      "maplib", "shadow_obj", "trace_obj", "call", "csh",
-        "c_interp", "bevel",  "d_interp", "ctech",  "stech",      "cstype",    "deg",  "bmat",
-        "step",     "parm",   "trim",     "hole",   "scrv",       "sp",        "con",  "end"};
+    constexpr std::array<std::string_view, 30> kIgnored = {
+        "vn",       "vt",     "vp",         "s",         "mg",   "mtllib", "usemtl",   "usemap",
+        "lod",      "maplib", "shadow_obj", "trace_obj", "call", "csh",    "c_interp", "bevel",
+        "d_interp", "ctech",  "stech",      "cstype",    "deg",  "bmat",   "step",     "parm",
+        "trim",     "hole",   "scrv",       "sp",        "con",  "end"};
     const auto is_among = [&](const auto& words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
     if (word == "v") return ObjStatement::kVertex;
     if (word == "f" || word == "fo") return ObjStatement::kFace;
+    if (word == "o") return ObjStatement::kObject;
+    if (word == "g") return ObjStatement::kGroup;
     if (word == "l" || word == "p") return ObjStatement::kLineOrPoint;
     if (is_among(kFreeForm)) return ObjStatement::kFreeForm;
     return is_among(kIgnored) ? ObjStatement::kIgnored : ObjStatement::kUnknown;
@@ -90,6 +102,7 @@ private:
     Result<std::uint32_t> read_corner(std::string_view token);
     Result<void> read_face(TextScanner& scanner);
     Result<void> add_waiting_faces();
+    void begin_object(const TextScanner& scanner, std::vector<ObjectMark>& marks);
     [[nodiscard]] Error out_of_range(std::uint64_t face, std::size_t line,
                                      const std::string& found) const;
 
@@ -99,6 +112,8 @@ private:
     std::vector<std::uint32_t> corners_;
     std::vector<WaitingFace> waiting_;
     std::vector<std::uint32_t> waiting_corners_;
+    std::vector<ObjectMark> objects_;
+    std::vector<ObjectMark> groups_;
     std::size_t lines_and_points_ = 0;
     std::size_t free_form_ = 0;
     std::size_t unknown_ = 0;
@@ -200,6 +215,16 @@ Result<void> ObjReader::add_waiting_faces() {
     return {};
 }
 
+/// All that follows on the line is the name.
+void ObjReader::begin_object(const TextScanner& scanner, std::vector<ObjectMark>& marks) {
+    constexpr std::string_view kBlanks = " \t";
+    std::string_view name = lines_.text();
+    name.remove_prefix(name.size() - scanner.bytes_left());
+    name.remove_prefix(std::min(name.find_first_not_of(kBlanks), name.size()));
+    name = name.substr(0, name.find_last_not_of(kBlanks) + 1);
+    marks.push_back({std::string(name), static_cast<std::uint32_t>(faces())});
+}
+
 Result<void> ObjReader::read_statement() {
     TextScanner scanner(lines_.text());
     if (scanner.at_line_end()) return {};
@@ -213,6 +238,12 @@ Result<void> ObjReader::read_statement() {
             return read_vertex(scanner);
         case ObjStatement::kFace:
             return read_face(scanner);
+        case ObjStatement::kObject:
+            begin_object(scanner, objects_);
+            break;
+        case ObjStatement::kGroup:
+            begin_object(scanner, groups_);
+            break;
         case ObjStatement::kLineOrPoint:
             ++lines_and_points_;
             break;
@@ -244,7 +275,10 @@ Result<ReadMeshResult> ObjReader::read() {
     builder_.warn("unknown_lines", unknown_,
                   plural(unknown_, "line") + " with an unknown first word, from line " +
                       std::to_string(first_unknown_));
-    return builder_.take();
+    ReadMeshResult read = builder_.take();
+    // Groups tell of materials or of parts of objects where a file has both.
+    read.objects = objects_between(objects_.empty() ? groups_ : objects_, read.mesh);
+    return read;
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {

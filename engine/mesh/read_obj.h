@@ -12,7 +12,8 @@ namespace ossuary::mesh {
 [[nodiscard]] bool looks_like_obj(std::string_view text);
 
 /// Reads a Wavefront OBJ file (Object Files, appendix B1 of the Advanced Visualizer's manual);
-/// `name` stands for the file in messages. All objects and groups are one mesh.
+/// `name` stands for the file in messages. All objects and groups are one mesh;
+/// its objects are those of the file, or its groups where it has no objects.
 ///
 /// Taken: `v` with whatever follows three coordinates (w, colours); `f` with any number of corners,
 /// each an index, alone or with those of texture coordinates and normals, which are skipped (`7`,

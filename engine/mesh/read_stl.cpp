@@ -7,6 +7,7 @@
 
 #include "engine/mesh/load_number.h"
 #include "engine/mesh/mesh_builder.h"
+#include "engine/mesh/model_objects.h"
 #include "engine/mesh/vertex_table.h"
 
 namespace ossuary::mesh {
@@ -117,7 +118,7 @@ private:
                                                quoted_token(scanner_.peek_token()));
     }
     Result<void> expect(std::string_view capitals, std::string_view word);
-    void skip_name();
+    std::string read_name();
     Result<void> read_line();
     Result<void> read_facet();
     Result<void> read_vertices();
@@ -128,6 +129,7 @@ private:
     std::vector<std::uint32_t> corners_;
     std::vector<std::uint32_t> faces_;         // corners of all, one after the other
     std::vector<std::uint32_t> face_corners_;  // how many each has
+    std::vector<ObjectMark> solids_;
     std::uint64_t positions_ = 0;
     bool open_ = false;   // within a solid
     bool begun_ = false;  // a solid or a facet has been seen
@@ -147,15 +149,20 @@ Result<void> StlTextReader::expect(std::string_view capitals, std::string_view w
 }
 
 /// A name lasts to the end of the line, but for files that are one line.
-void StlTextReader::skip_name() {
+std::string StlTextReader::read_name() {
+    std::string name;
     while (!scanner_.at_line_end()) {
+        const std::string_view word = scanner_.peek_token();
         if (at("FACET")) {
             TextScanner ahead = scanner_;
-            ahead.advance(ahead.peek_token().size());
-            if (!ahead.at_line_end() && spells(ahead.peek_token(), "NORMAL")) return;
+            ahead.advance(word.size());
+            if (!ahead.at_line_end() && spells(ahead.peek_token(), "NORMAL")) break;
         }
-        scanner_.advance(scanner_.peek_token().size());
+        if (!name.empty()) name += ' ';
+        name += word;
+        scanner_.advance(word.size());
     }
+    return name;
 }
 
 Result<void> StlTextReader::read_vertices() {
@@ -208,7 +215,10 @@ Result<void> StlTextReader::read_line() {
         open_ = token.size() == std::string_view("SOLID").size();
         begun_ = true;
         scanner_.advance(token.size());
-        skip_name();
+        std::string name = read_name();
+        if (open_) {
+            solids_.push_back({std::move(name), static_cast<std::uint32_t>(face_corners_.size())});
+        }
     } else if (spells(token, "FACET")) {
         open_ = true;
         begun_ = true;
@@ -247,7 +257,9 @@ Result<ReadMeshResult> StlTextReader::read() {
     builder_.warn("trailing_text", trailing_lines_,
                   plural(trailing_lines_, "line") + " outside any solid, from line " +
                       std::to_string(first_trailing_line_));
-    return builder_.take();
+    ReadMeshResult read = builder_.take();
+    read.objects = objects_between(solids_, read.mesh);
+    return read;
 }
 
 }  // namespace

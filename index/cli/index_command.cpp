@@ -23,6 +23,7 @@ struct Options {
     std::string prune = "no";
     std::vector<std::string> exclude;
     std::string up = "auto";
+    bool split = false;
     bool retry_failed = false;
     double model_timeout_seconds = index::IndexOptions{}.model_timeout_seconds;
 };
@@ -96,6 +97,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
         }
         index_options.walk.exclude.push_back(*std::move(glob));
     }
+    index_options.split = options.split;
     index_options.retry_failed = options.retry_failed;
     index_options.model_timeout_seconds = options.model_timeout_seconds;
     const auto up = parse_up_or_auto(options.up);
@@ -143,6 +145,9 @@ void add_index(CLI::App& app, Session& session) {
         ->expected(1)
         ->take_all()
         ->type_name("GLOB");
+    command->add_flag("--split", options->split,
+                      "Index each object of a file that tells several apart (3MF, glTF, OBJ, …) as "
+                      "a model of its own, FILE#OBJECT; reads every file");
     command
         ->add_option("--up", options->up,
                      "The axis that points up in these models, y or z; or auto: found for each new "

@@ -51,8 +51,6 @@ std::string encode_notes(const mesh::ReadMeshResult& read) {
     writer.put(static_cast<std::uint32_t>(read.objects.size()));
     for (const mesh::ModelObject& object : read.objects) {
         writer.put_text(std::string_view(object.name).substr(0, kLongestText));
-        writer.put(object.first_vertex);
-        writer.put(object.vertices);
         writer.put(object.first_triangle);
         writer.put(object.triangles);
     }
@@ -78,16 +76,13 @@ bool decode_notes(std::string_view notes, mesh::ReadMeshResult& read) {
         warning.message = reader.get_text();
         read.warnings.push_back(std::move(warning));
     }
-    const std::uint32_t objects = reader.get_count(20);
+    const std::uint32_t objects = reader.get_count(12);
     for (std::uint32_t i = 0; i < objects; ++i) {
         mesh::ModelObject object;
         object.name = reader.get_text();
-        object.first_vertex = reader.get<std::uint32_t>();
-        object.vertices = reader.get<std::uint32_t>();
         object.first_triangle = reader.get<std::uint32_t>();
         object.triangles = reader.get<std::uint32_t>();
-        if (!lies_within(object.first_vertex, object.vertices, read.mesh.vertices.size()) ||
-            !lies_within(object.first_triangle, object.triangles, read.mesh.triangles.size())) {
+        if (!lies_within(object.first_triangle, object.triangles, read.mesh.triangles.size())) {
             return false;
         }
         read.objects.push_back(std::move(object));

@@ -12,8 +12,8 @@ SceneBuilder::SceneBuilder(const mesh::ReadMeshOptions& caps, Corners corners)
       corners_(corners) {}
 
 void SceneBuilder::begin_object(std::string name) {
-    object_ = {std::move(name), static_cast<std::uint32_t>(builder_.vertices().size()), 0,
-               builder_.triangle_count(), 0};
+    object_ = {std::move(name), builder_.triangle_count(), 0};
+    first_vertex_ = static_cast<std::uint32_t>(builder_.vertices().size());
     if (corners_ == Corners::kJoin) table_ = mesh::VertexTable();
 }
 
@@ -21,7 +21,7 @@ Result<std::uint32_t> SceneBuilder::add_vertex(const Vec3& position) {
     const auto next = static_cast<std::uint32_t>(builder_.vertices().size());
     if (!builder_.is_in_range(position)) return builder_.position_error(next, position);
     if (corners_ == Corners::kJoin) {
-        const std::uint32_t number = object_.first_vertex + table_.number_of(position);
+        const std::uint32_t number = first_vertex_ + table_.number_of(position);
         if (number < next) return number;
     }
     if (auto counted = builder_.check_counts(next + 1, 0); !counted) return counted.error();
@@ -39,8 +39,6 @@ Result<void> SceneBuilder::add_face(std::span<const std::uint32_t> corners) {
 }
 
 void SceneBuilder::end_object() {
-    object_.vertices =
-        static_cast<std::uint32_t>(builder_.vertices().size()) - object_.first_vertex;
     object_.triangles = builder_.triangle_count() - object_.first_triangle;
     if (object_.triangles > 0) objects_.push_back(std::move(object_));
 }

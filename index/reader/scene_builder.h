@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ private:
     mesh::VertexTable table_;
     std::vector<mesh::ModelObject> objects_;
     mesh::ModelObject object_;
+    std::uint32_t first_vertex_ = 0;  ///< of the object
 };
 
 }  // namespace ossuary::index

@@ -142,5 +142,71 @@ TEST_F(ArchiveIndexing, FollowsAModelOutOfItsArchive) {
     EXPECT_EQ(outcome.indexed, 0U);
 }
 
+/// Two boxes and a ring as one OBJ.
+std::string plate() {
+    const auto moved = [](mesh::TriangleMesh mesh, double x) {
+        for (Vec3& vertex : mesh.vertices) vertex.x() += x;
+        return mesh;
+    };
+    std::string text;
+    std::size_t before = 0;
+    for (const auto& [name, mesh] :
+         {std::pair("block", test::box_mesh({0, 0, 0}, {1, 2, 3})),
+          std::pair("block", moved(test::box_mesh({0, 0, 0}, {1, 1, 5}), 8.0)),
+          std::pair("ring", moved(test::torus_mesh(1.0, 0.3), 16.0))}) {
+        text += "o " + std::string(name) + "\n";
+        for (const Vec3& v : mesh.vertices) {
+            text += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
+                    std::to_string(v.z()) + "\n";
+        }
+        for (const auto& t : mesh.triangles) {
+            text += "f";
+            for (const std::uint32_t v : t) text += " " + std::to_string(before + v + 1);
+            text += "\n";
+        }
+        before += mesh.vertices.size();
+    }
+    return text;
+}
+
+TEST_F(ArchiveIndexing, SplitsFilesIntoTheirObjects) {
+    ASSERT_TRUE(write_whole_file(models_ / "plate.obj", plate()));
+    ASSERT_TRUE(write_whole_file(models_ / "box.off", box_));
+    write("a.zip", {{"plate.obj", plate()}, {"bar.obj", bar_}});
+    IndexOptions split = options();
+    split.split = true;
+    EXPECT_EQ(run(split).indexed, 8U);
+    EXPECT_THAT(paths(), ElementsAre("a.zip#bar.obj", "a.zip#plate.obj#block",
+                                     "a.zip#plate.obj#block (2)", "a.zip#plate.obj#ring", "box.off",
+                                     "plate.obj#block", "plate.obj#block (2)", "plate.obj#ring"));
+    EXPECT_THAT(names_, ElementsAre("bar/", "block/", "block (2)/", "ring/", "box/", "block/",
+                                    "block (2)/", "ring/"));
+    EXPECT_EQ(run(split).unchanged, 8U);
+    // Placed as in the file.
+    const auto ring = reader_.read(models_ / "plate.obj#ring");
+    ASSERT_TRUE(ring) << ring.error().message;
+    EXPECT_EQ(ring->mesh.triangles.size(), test::torus_mesh(1.0, 0.3).triangles.size());
+    EXPECT_NEAR(ring->mesh.vertices.front().x(), 16.0, 1.5);
+    const auto none = reader_.read(models_ / "plate.obj#wheel");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::kObjectMissing);
+    EXPECT_THAT(none.error().message, testing::HasSubstr("'block', 'block (2)', 'ring'"));
+}
+
+TEST_F(ArchiveIndexing, PrunesWhatSplittingHasPutInItsPlace) {
+    ASSERT_TRUE(write_whole_file(models_ / "plate.obj", plate()));
+    EXPECT_EQ(run().indexed, 1U);
+    IndexOptions split = options();
+    split.split = true;
+    split.prune = Prune::kYes;
+    EXPECT_EQ(run(split).indexed, 3U);
+    EXPECT_THAT(paths(), ElementsAre("plate.obj#block", "plate.obj#block (2)", "plate.obj#ring"));
+    split.split = false;
+    const IndexOutcome whole = run(split);
+    EXPECT_EQ(whole.indexed, 1U);
+    EXPECT_EQ(whole.pruned, 3U);
+    EXPECT_THAT(paths(), ElementsAre("plate.obj"));
+}
+
 }  // namespace
 }  // namespace ossuary::index

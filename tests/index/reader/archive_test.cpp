@@ -146,18 +146,33 @@ TEST_F(Archives, OfOtherFormatsAreThose) {
 
 TEST_F(Archives, AreToldFromFilesWithSuchNames) {
     const fs::path file = folder_.path() / "a.zip#b.off";
-    EXPECT_EQ(place_of(file).within, "b.off");
+    EXPECT_EQ(place_of(file).member, "b.off");
     EXPECT_EQ(place_of(file).file, folder_.path() / "a.zip");
     EXPECT_EQ(place_of(file).file_name(), "b.off");
-    EXPECT_EQ(path_of(place_of(file)), file);
+    EXPECT_EQ(place_of(file).name(), "b");
     ASSERT_TRUE(write_whole_file(file, box_));
-    EXPECT_EQ(place_of(file).within, "");
+    EXPECT_EQ(place_of(file).member, "");
     EXPECT_EQ(place_of(file).file_name(), "a.zip#b.off");
     EXPECT_EQ(read(file), "12");
-    EXPECT_EQ(place_of("notes#1/b.off").within, "");
-    EXPECT_EQ(place_of("notes#1/a.zip#x#y.off").within, "x#y.off");
-    EXPECT_EQ(place_of("a.zip#").within, "");
+    EXPECT_EQ(place_of("notes#1/b.off").member + place_of("notes#1/b.off").object, "");
+    EXPECT_EQ(place_of("a.zip#").file, "a.zip#");
     EXPECT_EQ(place_of("a.zip#folder/part.stl").file_name(), "part.stl");
+}
+
+TEST(ModelPlaces, AreParted) {
+    const auto expect = [](const char* path, const char* file, const char* member,
+                           const char* object, const char* name) {
+        const ModelPlace place = place_of(path);
+        EXPECT_EQ(place.file, file);
+        EXPECT_EQ(place.member, member);
+        EXPECT_EQ(place.object, object);
+        EXPECT_EQ(place.name(), name);
+        EXPECT_EQ(path_of(place), path);
+    };
+    expect("plate.3mf#Wheel", "plate.3mf", "", "Wheel", "Wheel");
+    expect("x#1/plate.3mf#left/Wheel #2", "x#1/plate.3mf", "", "left/Wheel #2", "left/Wheel #2");
+    expect("toys.ZIP#car.glb", "toys.ZIP", "car.glb", "", "car");
+    expect("toys.zip#a/car.glb#Wheel", "toys.zip", "a/car.glb", "Wheel", "Wheel");
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ TEST(ModelReader, KeepsUnitAxisAndNames) {
     ASSERT_EQ(instances->objects.size(), 2u);
     EXPECT_EQ(instances->objects[0].name, "left");
     EXPECT_EQ(instances->objects[1].name, "right");
-    EXPECT_EQ(instances->objects[1].first_vertex, 4u);
+    EXPECT_EQ(instances->objects[1].first_triangle, 4u);
     EXPECT_EQ(instances->objects[1].triangles, 4u);
     EXPECT_EQ(instances->mesh.vertices[4].x(), 3.0);
 }

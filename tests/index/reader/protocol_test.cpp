@@ -16,8 +16,7 @@ mesh::ReadMeshResult sample() {
     read.warnings = {{"odd", 3, "three odd things"}};
     read.metres_per_unit = 0.001;
     read.up = mesh::UpAxis::kZ;
-    read.objects = {{"ring", 0, static_cast<std::uint32_t>(read.mesh.vertices.size()), 0,
-                     static_cast<std::uint32_t>(read.mesh.triangles.size())}};
+    read.objects = {{"ring", 0, static_cast<std::uint32_t>(read.mesh.triangles.size())}};
     return read;
 }
 
@@ -79,7 +78,7 @@ TEST(ReaderProtocol, TrustsNoNumberOfAnAnswer) {
     read.objects[0].triangles += 1;
     EXPECT_TRUE(refused(read));
     read = sample();
-    read.objects[0].first_vertex = 0xFFFFFFFF;
+    read.objects[0].first_triangle = 0xFFFFFFFF;
     EXPECT_TRUE(refused(read));
     mesh::ReadMeshOptions caps;
     caps.max_vertices = 10;

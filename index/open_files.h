@@ -18,4 +18,11 @@ Result<void> open_archives(FoundFiles& found, const std::vector<std::filesystem:
                            const WalkOptions& options, ModelReader& reader,
                            const std::stop_token& stop);
 
+/// Puts the objects of files that hold several (ModelReader::list_objects) in the place of these;
+/// those that cannot be read stay. Reads every file.
+/// @param jobs  files at once; 0 = hardware threads
+/// Errors: cancelled.
+Result<void> split_files(FoundFiles& found, ModelReader& reader, int jobs,
+                         const std::stop_token& stop);
+
 }  // namespace ossuary::index
