@@ -49,7 +49,8 @@ std::vector<std::string> object_names(const std::vector<ModelObject>& objects) {
         const std::string clean = clean_name(object.name, names.size() + 1);
         std::string name = clean;
         while (!taken.insert(name).second) {
-            name = clean + " (" + std::to_string(++copies.try_emplace(clean, 1).first->second) + ")";
+            name =
+                clean + " (" + std::to_string(++copies.try_emplace(clean, 1).first->second) + ")";
         }
         names.push_back(std::move(name));
     }

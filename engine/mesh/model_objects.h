@@ -20,8 +20,8 @@ struct ObjectMark {
 [[nodiscard]] std::vector<ModelObject> objects_between(const std::vector<ObjectMark>& marks,
                                                        const TriangleMesh& mesh);
 
-/// A name for each object by which it can be asked for: UTF-8 without control characters, `object 3`
-/// where it has none, and ` (2)` after the second of a name.
+/// A name for each object by which it can be asked for: UTF-8 without control characters, `object
+/// 3` where it has none, and ` (2)` after the second of a name.
 [[nodiscard]] std::vector<std::string> object_names(const std::vector<ModelObject>& objects);
 
 /// An object as if the file held nothing else: its triangles, the vertices that these use in their

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <stop_token>
 #include <string>
@@ -66,6 +67,12 @@ struct VolumeOptions {
 /// Errors: those of the format; format_unknown.
 Result<Volume> read_volume(std::string_view bytes, std::string_view name,
                            const VolumeOptions& options = {}, const std::stop_token& stop = {});
+/// Not of bytes that would go before what is read of them.
+template <typename Bytes>
+requires std::same_as<Bytes, std::string> Result<Volume> read_volume(
+    Bytes&& bytes, std::string_view name, const VolumeOptions& options = {},
+    const std::stop_token& stop = {})
+= delete;
 
 /// Nearly Raw Raster Data (teem's definition, NRRD0001 to NRRD0005): three axes, others of one
 /// sample; types from int8 to double; encodings raw, ascii and gzip; `spacings`, or `space

@@ -84,7 +84,7 @@ bool allow(void* filter) {
                              SCMP_A3(SCMP_CMP_MASKED_EQ, AT_EMPTY_PATH, AT_EMPTY_PATH)) == 0;
     // Ending itself.
     fine &= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1,
-                             SCMP_A2(SCMP_CMP_EQ, 6 /* SIGABRT */)) == 0;
+                             SCMP_A2(SCMP_CMP_EQ, 6 /* SIGABRT */, 0)) == 0;
     return fine;
 }
 

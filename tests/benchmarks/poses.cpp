@@ -89,8 +89,9 @@ double surface_distance(const Points& a, const Points& b) {
     do {
         for (int signs = 0; signs < 8; ++signs) {
             Points moved(3, a.cols());
-            for (int axis = 0; axis < 3; ++axis) {
-                moved.row(axis) = ((signs >> axis) & 1 ? -1.0 : 1.0) * a.row(order[axis]);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                moved.row(static_cast<int>(axis)) =
+                    ((signs >> axis) & 1 ? -1.0 : 1.0) * a.row(order[axis]);
             }
             double distance = 0.0;
             for (int round = 0; round < kRounds; ++round) {

@@ -70,7 +70,8 @@ TEST_F(Models, FiltersByClassAndName) {
 }
 
 TEST_F(Models, GivesEachModelWithItsParts) {
-    for (const auto& listed : server_.json(get("/v1/models"))["models"]) {
+    const auto all = server_.json(get("/v1/models"));
+    for (const auto& listed : all["models"]) {
         const std::string path = "/v1/models/" + std::to_string(listed["id"].get<int>());
         EXPECT_EQ(server_.json(get(path)), listed);
         const auto mesh = server_.json(get(listed["links"]["mesh"].get<std::string>()));

@@ -51,7 +51,7 @@ TEST(ModelObjects, OfStlAreItsSolids) {
 }
 
 TEST(ModelObjects, HaveNamesByWhichTheyCanBeAskedFor) {
-    const std::vector<ModelObject> objects = {{"wheel"}, {"wheel"},     {""},     {"wheel (2)"},
+    const std::vector<ModelObject> objects = {{"wheel"}, {"wheel"},    {""},     {"wheel (2)"},
                                               {"wheel"}, {"a\nb\x7f"}, {"\xe4"}, {""}};
     EXPECT_THAT(object_names(objects),
                 ElementsAre("wheel", "wheel (2)", "object 3", "wheel (2) (2)", "wheel (3)", "ab",
@@ -59,8 +59,8 @@ TEST(ModelObjects, HaveNamesByWhichTheyCanBeAskedFor) {
 }
 
 TEST(ModelObjects, AreMeshesOfTheirOwn) {
-    const auto read = read_mesh(std::string(kSquare) + "o a\nf 5 2 1\no b\nf 1 2 3 4\nf 3 4 5\n",
-                                "file");
+    const auto read =
+        read_mesh(std::string(kSquare) + "o a\nf 5 2 1\no b\nf 1 2 3 4\nf 3 4 5\n", "file");
     ASSERT_TRUE(read);
     ASSERT_EQ(read->objects.size(), 2U);
     const TriangleMesh first = object_mesh(read->mesh, read->objects[0]);

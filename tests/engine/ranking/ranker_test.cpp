@@ -184,7 +184,8 @@ TEST_F(Ranker, RanksAQueryFromOutsideLikeOneFromInside) {
 TEST_F(Ranker, CopesWithCollectionsOfNoneOneAndTwo) {
     const auto all = collection();
     for (const std::size_t size : {0U, 1U, 2U}) {
-        const std::vector<const descriptor::ModelDescriptor*> few(all.begin(), all.begin() + size);
+        const std::vector<const descriptor::ModelDescriptor*> few(
+            all.begin(), all.begin() + static_cast<std::ptrdiff_t>(size));
         const CollectionStatistics statistics = *collection_statistics(few);
         for (const double value : statistics.values) EXPECT_TRUE(std::isfinite(value));
         for (const RankOptions& options : every_option()) {

@@ -47,7 +47,7 @@ TEST(FillTouched, HoldsASurfaceWithoutAHole) {
 TEST(FillTouched, DoesNotDependOnTheOrderOfTriangles) {
     const mesh::TriangleMesh mesh = test::worst_case("triangles_500k").build(300);
     const BitVolume expected = touched(mesh, 32);
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
         EXPECT_EQ(touched(test::renumbered(mesh, seed), 32), expected);
     }
 }

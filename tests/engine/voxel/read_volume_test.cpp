@@ -94,10 +94,10 @@ TEST(ReadNrrd, TakesEachEncodingAndByteOrder) {
 
 TEST(ReadNrrd, TakesEveryType) {
     const auto check = [](const std::string& type, const std::string& data, double expected) {
-        const auto read = voxel::read_volume(
+        const std::string file =
             nrrd("type: " + type + "\ndimension: 3\nsizes: 1 1 1\nencoding: raw\nendian: little\n",
-                 data),
-            "file");
+                 data);
+        const auto read = voxel::read_volume(file, "file");
         ASSERT_TRUE(read) << type << ": " << read.error().message;
         EXPECT_EQ(values_of(*read), std::vector<double>{expected}) << type;
     };
@@ -113,16 +113,17 @@ TEST(ReadNrrd, TakesEveryType) {
 }
 
 TEST(ReadNrrd, KnowsWhereVoxelsLie) {
-    const auto spaced = voxel::read_volume(
-        nrrd(kSmall + "spacings: 0.5 NaN 2\nencoding: ascii\n", "1 2 3 4 5 6"), "file");
+    const std::string spaced_file =
+        nrrd(kSmall + "spacings: 0.5 NaN 2\nencoding: ascii\n", "1 2 3 4 5 6");
+    const auto spaced = voxel::read_volume(spaced_file, "file");
     ASSERT_TRUE(spaced) << spaced.error().message;
     EXPECT_EQ(spaced->axes, Mat3(Vec3(0.5, 1, 2).asDiagonal()));
-    const auto directed = voxel::read_volume(
-        nrrd("type: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 1 2 1 3\n"
-             "space directions: none (0,2,0) (-1, 0, 0) (0,0,1.5)\nspace origin: (10,20,-3e1)\n"
-             "space units: \"mm\" \"mm\" \"mm\"\nencoding: ascii\n",
-             "1 2 3 4 5 6"),
-        "file");
+    const std::string directed_file = nrrd(
+        "type: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 1 2 1 3\n"
+        "space directions: none (0,2,0) (-1, 0, 0) (0,0,1.5)\nspace origin: (10,20,-3e1)\n"
+        "space units: \"mm\" \"mm\" \"mm\"\nencoding: ascii\n",
+        "1 2 3 4 5 6");
+    const auto directed = voxel::read_volume(directed_file, "file");
     ASSERT_TRUE(directed) << directed.error().message;
     EXPECT_EQ(directed->size, Vec3i(2, 1, 3));
     EXPECT_EQ(directed->axes.col(0), Vec3(0, 2, 0));
@@ -290,8 +291,8 @@ std::string binvox(const std::string& runs, const std::string& dim = "2 2 2") {
 
 TEST(ReadBinvox, PutsRunsWhereTheyBelong) {
     // y fastest, then z, then x: voxels 0, 1 and 7 are set.
-    const auto read =
-        voxel::read_volume(binvox(std::string("\x01\x02\x00\x05\x01\x01", 6)), "file");
+    const std::string file = binvox(std::string("\x01\x02\x00\x05\x01\x01", 6));
+    const auto read = voxel::read_volume(file, "file");
     ASSERT_TRUE(read) << read.error().message;
     std::vector<Vec3> set;
     voxel::visit_values(*read, {}, [&](const Vec3i& voxel, double value) {
@@ -306,7 +307,8 @@ TEST(ReadBinvox, PutsRunsWhereTheyBelong) {
 TEST(ReadBinvox, RefusesWithPlaceAndCode) {
     using enum ErrorCode;
     const std::string eight("\x01\x08", 2);
-    EXPECT_TRUE(voxel::read_volume(binvox(eight), "file"));
+    const std::string whole = binvox(eight);
+    EXPECT_TRUE(voxel::read_volume(whole, "file"));
     expect_refused(binvox(std::string("\x01\x07", 2)), kBinvoxInvalid,
                    "expected runs of 8 voxels, the file ends after 7");
     expect_refused(binvox(std::string("\x01\x09", 2)), kBinvoxInvalid, "at most 8");
@@ -335,11 +337,13 @@ TEST(ReadNpyVolume, TakesRealNumbersAndBothOrders) {
         header += std::string(117 - header.size(), ' ') + "\n";
         return std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header + values;
     };
-    const auto fortran = voxel::read_volume(array("<i2", "True", bytes_of(kSix)), "file");
+    const std::string fortran_file = array("<i2", "True", bytes_of(kSix));
+    const auto fortran = voxel::read_volume(fortran_file, "file");
     ASSERT_TRUE(fortran) << fortran.error().message;
     EXPECT_EQ(values_of(*fortran), kSixReal);
-    const auto c_order = voxel::read_volume(
-        array(">f4", "False", bytes_of<float>({1, 300, 5, -2, 4, 6}, true)), "file");
+    const std::string c_order_file =
+        array(">f4", "False", bytes_of<float>({1, 300, 5, -2, 4, 6}, true));
+    const auto c_order = voxel::read_volume(c_order_file, "file");
     ASSERT_TRUE(c_order) << c_order.error().message;
     EXPECT_EQ(values_of(*c_order), kSixReal);
     expect_refused(array("<c8", "False", ""), ErrorCode::kNpyInvalid, "'<c8'");

@@ -251,7 +251,7 @@ TEST_F(CommandLineTest, EvaluatePrintsTheFixedFieldsAndWritesMatrixAndReport) {
 
     const std::string matrix = read_file(path("d.matrix"));
     ASSERT_EQ(matrix.size(), sizeof(float) * kModels * kModels);
-    for (int row = 0; row < kModels; ++row) {
+    for (std::size_t row = 0; row < kModels; ++row) {
         float self = 1.0F;
         std::memcpy(&self, matrix.data() + sizeof(float) * (row * kModels + row), sizeof self);
         EXPECT_EQ(self, 0.0F) << "model " << row << " against itself";

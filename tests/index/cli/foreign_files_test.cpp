@@ -45,7 +45,7 @@ TEST_F(ForeignFiles, AreIndexedFoundComparedCutAndReduced) {
         const ProgramResult found =
             run({"search", "--index", index_file(), models() / file, "--limit", "4", "--json"});
         ASSERT_EQ(found.exit_status, 0) << found.err;
-        for (int hit = 0; hit < 3; ++hit) {
+        for (std::size_t hit = 0; hit < 3; ++hit) {
             EXPECT_EQ(found.json().at("hits")[hit].at("name"), "tree") << file;
             EXPECT_LE(found.json().at("hits")[hit].at("distance").get<double>(), 0.02) << file;
         }
