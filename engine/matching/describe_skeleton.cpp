@@ -88,6 +88,18 @@ std::uint64_t content_key(const SkeletonDescriptor& descriptor) {
     return hash.value();
 }
 
+/// A sum, in which no node comes before another. Radii are the same to the last bit wherever a
+/// skeleton lies and however it is numbered; lengths and significances are sums themselves.
+std::uint64_t shape_key(const SkeletonDescriptor& descriptor) {
+    std::uint64_t sum = 0;
+    for (const SkeletonDescriptor::Node& node : descriptor.nodes) {
+        ContentHash hash;
+        hash.add(node.radius);
+        sum += hash.value();
+    }
+    return sum;
+}
+
 }  // namespace
 
 SkeletonDescriptor trace_skeleton(const skeleton::SkeletonGraph& refined, double scale,
@@ -143,6 +155,7 @@ SkeletonDescriptor describe_skeleton(const skeleton::SkeletonGraph& refined, dou
 void derive_matching_data(SkeletonDescriptor& descriptor, const RootingOptions& options) {
     descriptor.rooted = root_skeleton(descriptor, options);
     descriptor.rooted.content_key = content_key(descriptor);
+    descriptor.rooted.shape_key = shape_key(descriptor);
     descriptor.hierarchy = signature_tree(descriptor);
 }
 

@@ -116,7 +116,7 @@ Score compare(const SkeletonDescriptor& a, const SkeletonDescriptor& b,
 
 /// A fixed order of the arguments makes the greedy choice, and so the distance, symmetric.
 bool is_in_order(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
-    return a.rooted.content_key <= b.rooted.content_key;
+    return in_order(a.rooted, b.rooted);
 }
 
 std::vector<std::uint32_t> cluster_sizes(const SignatureTree& a, const SignatureTree& b,

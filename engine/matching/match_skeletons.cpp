@@ -24,7 +24,7 @@ struct Ordered {
 };
 
 Ordered ordered(const SkeletonDescriptor& a, const SkeletonDescriptor& b) {
-    if (a.rooted.content_key <= b.rooted.content_key) return {a.rooted, b.rooted, false};
+    if (in_order(a.rooted, b.rooted)) return {a.rooted, b.rooted, false};
     return {b.rooted, a.rooted, true};
 }
 

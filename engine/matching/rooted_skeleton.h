@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/chain_code/code_batch.h"
@@ -60,13 +61,20 @@ struct RootedSkeletons {
     chain_code::CodeBatch batch;    ///< the same codes, laid out for aligning one with all
     MergedTrees merged;             ///< of `trees`
     std::vector<RootedTree> trees;  ///< best root first; empty only for an empty skeleton
-    std::uint64_t content_key = 0;  ///< hash of nodes and branches: a fixed order of two skeletons
+    std::uint64_t content_key = 0;  ///< hash of nodes and branches as they are numbered
+    std::uint64_t shape_key = 0;    ///< the same however they are numbered
 
     [[nodiscard]] std::span<const chain_code::DirectionStep> code(std::uint32_t piece) const {
         const Piece& p = pieces[piece];
         return {steps.data() + p.first_step, p.step_count};
     }
 };
+
+/// A fixed order of two skeletons, in which they are compared so that it makes no difference which
+/// is named first; nor, but for skeletons of the same radii, how their nodes are numbered.
+[[nodiscard]] inline bool in_order(const RootedSkeletons& a, const RootedSkeletons& b) {
+    return std::tie(a.shape_key, a.content_key) <= std::tie(b.shape_key, b.content_key);
+}
 
 struct RootingOptions {
     /// First tier of the ten classes with 1, 2, 3 and 4 roots: .762, .784, .783, .783.

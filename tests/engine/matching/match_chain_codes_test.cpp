@@ -37,7 +37,7 @@ TEST(MatchChainCodes, IsSymmetricBitByBitAndInTheUnitRange) {
 TEST(MatchChainCodes, DoesNotDependOnNumberingDirectionOrAWholeVoxelShift) {
     std::mt19937 random(92);
     const SkeletonDescriptor other = describe(test::human(0.4));
-    for (int round = 0; round < 30; ++round) {
+    for (int round = 0; round < 300; ++round) {
         const skeleton::SkeletonGraph graph = test::random_skeleton(random, 12, 0);
         const SkeletonDescriptor first = describe(graph);
         const SkeletonDescriptor second = describe(
