@@ -21,7 +21,8 @@ build_packages=(
     libseccomp-dev libsqlite3-dev libsqlitecpp-dev libtbb-dev libtinygltf-dev libvalijson-dev libxxhash-dev
     libyaml-cpp-dev libzip-dev nlohmann-json3-dev prometheus-cpp-dev zlib1g-dev
 )
-check_packages=(chromium clang-14 clang-format-14 clang-tidy-14 curl libclang-rt-14-dev llvm-14 python3 zstd)
+check_packages=(chromium clang-format-14 clang-tidy-14 curl python3 zstd)
+sanitizer_packages=(clang-14 libclang-rt-14-dev llvm-14)
 
 # The oldest Node.js that the web tool chain runs on.
 node_minimum=20.19.0
