@@ -180,8 +180,6 @@ TEST_F(Http, AnswersWhatTheMemoryDoesNotSufficeFor) {
     EXPECT_TRUE(alive());
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)  // which end the process instead
 TEST_F(Http, RefusesABodyThatTheMemoryDoesNotSufficeFor) {
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
@@ -201,7 +199,6 @@ TEST_F(Http, RefusesABodyThatTheMemoryDoesNotSufficeFor) {
     EXPECT_EQ(nlohmann::json::parse(answer.body)["code"], "out_of_memory");
     EXPECT_EQ(ask(port_, post("/", "small")).status, 200);
 }
-#endif
 
 TEST_F(Http, EndsRequestsThatDoNotArrive) {
     HttpOptions options = quick();
