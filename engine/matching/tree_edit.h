@@ -44,7 +44,7 @@ public:
     void exchanged(const TreeEditProblem& problem, const Pair& roots, std::vector<Pair>& pairs);
 
 private:
-    /// How the cheapest edit of a pair of (sub)trees or forests begins.
+    /// `choice` becomes how the cheapest edit of a pair of (sub)trees or forests begins.
     float tree_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
                     EditChoice& choice) const;
     float forest_cost(const TreeEditProblem& problem, std::size_t i, std::size_t j,
