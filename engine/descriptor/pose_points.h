@@ -12,6 +12,7 @@ namespace ossuary::descriptor {
 
 inline constexpr std::size_t kPosePoints = 96;
 inline constexpr std::size_t kPosePointsSize = 6 * kPosePoints;
+inline constexpr double kPosePointsUnit = 1.0 / 4096.0;
 
 /// How a body stands: points spread evenly over its surface, each the middle of the patch that is
 /// nearest to it, in the order of farthest-point sampling, so that the first ones are spread too.
@@ -24,12 +25,14 @@ inline constexpr std::size_t kPosePointsSize = 6 * kPosePoints;
 [[nodiscard]] std::vector<std::uint8_t> pose_points(const ShellGraph& graph, double scale,
                                                     const Mat3& rotation);
 
-/// How differently two bodies stand: the mean distance from each surface to the other when one is
-/// laid over the other as well as it goes, over the bodies' size. It is laid as the files lie, and
-/// from there and from the best of the ways of laying principal axes over each other iterated to
+/// How differently two bodies stand, whatever their limbs' lengths and girths: one is laid over the
+/// other as well as it goes, each point takes the nearest of the other body for its partner, and
+/// the distance is the mean of 1 - cos of the angle between the directions from point to point and
+/// from partner to partner, over all pairs of points and both ways. It is laid as the files lie,
+/// and from there and from the best of the ways of laying principal axes over each other moved to
 /// the closest points (Besl and McKay, "A method for registration of 3-D shapes", 1992). What lies
 /// otherwise in its file stands otherwise, a little: half a turn makes the distance larger by a
-/// tenth, mirroring by a twentieth. So a turned copy is still at the distance 0, but of
+/// tenth, mirroring by a twentieth. So a turned copy is still about at the distance 0, but of
 /// bodies that stand about alike those come first that also face alike.
 /// Symmetric bit by bit, 0 for equal points. @pre kPosePointsSize bytes each
 [[nodiscard]] double pose_points_distance(std::span<const std::uint8_t> a,

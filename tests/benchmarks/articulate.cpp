@@ -1,11 +1,12 @@
 // Posed copies of the Princeton segmentation benchmark's bodies, so that both labels are known:
-// every body of a class in the same poses, bent by our own rigs. Bodies are matched with the first
-// of their class by their skeletons and laid over it; a pose is a direction in that frame for the
-// upper and for the lower half of each limb, so matched limbs stand at the same angles whatever
-// they were at before. Skinning is linear and smooth. Writes DEST/off/N.off (N = 100 * body +
-// pose), DEST/build.cla, DEST/pose.cla, and the same for every third body alone, which no weight
-// may be chosen by: build-kept-out.cla, pose-kept-out.cla; the others are build-tuning.cla,
-// pose-tuning.cla.
+// bodies of a class in the same poses, bent by our own rigs. The limbs of one body of each class
+// are looked for on the others, which are laid over it; what does not have all of them about there,
+// skins that grow together or limbs held out of sight, takes no part, because what is not bent
+// stands as it stood. A pose is a direction in the first body's frame for the upper and for the
+// lower half of each limb, so matched limbs stand at the same angles whatever they were at before.
+// Skinning is linear and smooth. Writes DEST/off/N.off (N = 100 * body + pose), DEST/build.cla,
+// DEST/pose.cla, and the same for every third body alone, which no weight may be chosen by:
+// build-kept-out.cla, pose-kept-out.cla; the others are build-tuning.cla, pose-tuning.cla.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -43,8 +44,12 @@ namespace fs = std::filesystem;
 constexpr int kPoses = 8;
 constexpr int kKeptOut = 3;  // every third body
 constexpr int kDraws = 40;
-/// A body takes part when this share of the first body's limbs has a partner on it.
-constexpr double kLeastMatched = 0.75;
+/// A body takes part when its limbs begin and end this near to those of the first body in the mean,
+/// over the root mean square distance of these places from their middle.
+constexpr double kFarthest = 0.35;
+/// Fewer limbs make no pose, fewer bodies no class.
+constexpr std::size_t kLeastLimbs = 4;
+constexpr std::size_t kLeastBodies = 4;
 constexpr double kMostSwing = 55.0 / 180.0 * std::numbers::pi;
 constexpr double kMostBend = 60.0 / 180.0 * std::numbers::pi;
 
@@ -99,25 +104,49 @@ int smoothing_of(const mesh::TriangleMesh& mesh) {
     return static_cast<int>(std::clamp(steps * steps, 12.0, 200.0));
 }
 
-/// Finds the body's partners of the first body's limbs; false where too few have one.
-bool match_limbs(const Body& first, const std::vector<std::uint32_t>& limbs, Body& body) {
-    const LimbPlaces ours(first.skeleton, limbs), theirs(body.skeleton, limbs_of(body.skeleton));
-    if (theirs.limbs.size() < 2) return false;
-    const bool we_are_fewer = ours.limbs.size() <= theirs.limbs.size();
-    const LimbMatch match = we_are_fewer ? match_places(ours, theirs) : match_places(theirs, ours);
-    body.frame = we_are_fewer ? Mat3(match.frame.transpose()) : match.frame;
+/// Where the body has the limbs of the first one; none unless it has them all.
+std::optional<LimbMatch> match_limbs(const LimbPlaces& first, const LimbPlaces& body) {
+    if (body.limbs.size() < first.limbs.size()) return std::nullopt;
+    LimbMatch match = match_places(first, body);
+    const double places = 2.0 * static_cast<double>(first.limbs.size());
+    if (match.cost > kFarthest * places) return std::nullopt;
+    return match;
+}
+
+/// A class as one of its bodies sees it.
+struct Cast {
+    std::size_t first = 0;                         ///< whose limbs are looked for
+    std::vector<std::optional<LimbMatch>> others;  ///< of each body
+    std::size_t count = 0;                         ///< that take part
+};
+
+/// The one that most bodies take part in.
+Cast best_cast(const std::vector<LimbPlaces>& places) {
+    Cast best;
+    for (std::size_t first = 0; first < places.size(); ++first) {
+        if (places[first].limbs.size() < kLeastLimbs) continue;
+        Cast cast{first, {}, 0};
+        for (const LimbPlaces& body : places) {
+            cast.others.push_back(match_limbs(places[first], body));
+            cast.count += cast.others.back() ? 1 : 0;
+        }
+        if (cast.count > best.count) best = std::move(cast);
+    }
+    return best;
+}
+
+/// Makes the body's limbs bend as the first body's limbs, of these branches, do.
+void rig_limbs(const LimbMatch& match, const LimbPlaces& places,
+               const std::vector<std::uint32_t>& first_limbs, Body& body) {
+    body.frame = match.frame.transpose();
     body.split = body.skeleton;
     for (std::size_t i = 0; i < match.partner.size(); ++i) {
-        const std::size_t our = we_are_fewer ? i : match.partner[i];
-        Limb limb = theirs.limbs[we_are_fewer ? match.partner[i] : i];
+        Limb limb = places.limbs[match.partner[i]];
         benchmarks::split_limb(body.split, limb);
-        body.limbs.emplace(limbs[our], limb);
+        body.limbs.emplace(first_limbs[i], limb);
     }
-    const auto wanted = kLeastMatched * static_cast<double>(limbs.size());
-    if (static_cast<double>(body.limbs.size()) < wanted) return false;
     skeleton::update_degrees(body.split);
     body.rig = decomposition::make_rig(body.mesh, body.split, smoothing_of(body.mesh));
-    return true;
 }
 
 struct Motion {
@@ -242,15 +271,22 @@ struct Labels {
 /// Poses the bodies of one class; their numbers begin with `next`.
 void articulate(const std::string& name, std::vector<Body> all, const fs::path& destination,
                 int& next, std::map<std::string, Labels>& labels) {
-    const std::vector<std::uint32_t> limbs = limbs_of(all.front().skeleton);
+    std::vector<LimbPlaces> places;
+    for (const Body& body : all) places.emplace_back(body.skeleton, limbs_of(body.skeleton));
+    const Cast cast = best_cast(places);
+    std::cout << fmt::format("{}: {} of {} bodies\n", name, cast.count, all.size());
+    if (cast.count < kLeastBodies) return;
+    const std::vector<std::uint32_t> limbs = limbs_of(all[cast.first].skeleton);
     std::vector<Body> bodies;
-    for (Body& body : all) {
-        if (match_limbs(bodies.empty() ? body : bodies.front(), limbs, body)) {
-            bodies.push_back(std::move(body));
-        }
+    const auto take = [&](std::size_t index) {
+        rig_limbs(*cast.others[index], places[index], limbs, all[index]);
+        bodies.push_back(std::move(all[index]));
+    };
+    take(cast.first);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i != cast.first && cast.others[i]) take(i);
     }
-    std::cout << fmt::format("{}: {} of {} bodies, {} limbs\n", name, bodies.size(), all.size(),
-                             limbs.size());
+    std::cout << fmt::format("  {} limbs\n", limbs.size());
     std::mt19937_64 random(std::accumulate(name.begin(), name.end(), std::uint64_t{1}));
     std::vector<PoseOfBody> poses;
     for (int p = 0; p < kPoses; ++p) poses.push_back(draw_pose(bodies, limbs, random));

@@ -13,7 +13,7 @@
 namespace ossuary::benchmarks {
 namespace {
 
-constexpr double kLeastLimb = 0.35;
+constexpr double kLeastLimb = 0.25;
 
 LimbMatch match_in_frame(const LimbPlaces& few, const LimbPlaces& many, const Mat3& frame) {
     std::vector<float> costs;

@@ -22,7 +22,7 @@ struct Limb {
 [[nodiscard]] std::optional<Limb> limb_of(const skeleton::SkeletonGraph& skeleton,
                                           std::uint32_t branch);
 
-/// The branches with a free end that are at least a third as long as the longest of all.
+/// The branches with a free end that are at least a quarter as long as the longest of all.
 [[nodiscard]] std::vector<std::uint32_t> limbs_of(const skeleton::SkeletonGraph& skeleton);
 
 /// The limb's outer half becomes a branch of its own, `limb.second`.

@@ -4,7 +4,8 @@
 //                                              skeletons under `chain-code`
 //   ossuary_thesis_figures codes [THINNING]    the lengths of chain codes of both
 //   ossuary_thesis_figures poses               Table 4.2: armadillos among each other and against
-//                                              other models, under `chain-code` and `skeleton`
+//                                              other models, under `chain-code`, `skeleton`, and by
+//                                              build and by pose alone
 // THINNING is parallel, the thesis' own (default), or anchored.
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/parallel.h"
@@ -187,10 +189,20 @@ void print_poses(const TenClasses& classes) {
     const auto collection = pointers(models);
     const ossuary::ranking::CollectionStatistics statistics =
         *ossuary::ranking::collection_statistics(collection, kJobs);
-    for (const ossuary::ranking::RankerKind ranker :
-         {ossuary::ranking::RankerKind::kChainCode, ossuary::ranking::RankerKind::kSkeleton}) {
+    struct Measure {
+        std::string_view name;
+        ossuary::ranking::RankerKind ranker;
+        double pose;
+    };
+    using enum ossuary::ranking::RankerKind;
+    for (const Measure& measure :
+         {Measure{"chain-code", kChainCode, ossuary::ranking::kDefaultPose},
+          Measure{"skeleton", kSkeleton, ossuary::ranking::kDefaultPose},
+          Measure{"build", kSkeleton, 0.0}, Measure{"pose", kSkeleton, 1.0}}) {
+        ossuary::ranking::RankOptions options = rank_options(measure.ranker);
+        options.pose = measure.pose;
         const ossuary::ranking::DistanceMatrix distances =
-            *ossuary::ranking::distance_matrix(collection, statistics, rank_options(ranker));
+            *ossuary::ranking::distance_matrix(collection, statistics, options);
         std::vector<double> within, other;
         for (std::size_t i = 0; i < models.size(); ++i) {
             if (classes.labels[i] != "armadillo") continue;
@@ -203,7 +215,7 @@ void print_poses(const TenClasses& classes) {
         std::cout << fmt::format(
             "{:<11} poses {:.3f} to {:.3f}, median {:.3f}; other models from {:.3f}, median "
             "{:.3f}; ratio of medians {:.3f}; AUC {:.5f}\n",
-            to_string(ranker), *std::min_element(within.begin(), within.end()),
+            measure.name, *std::min_element(within.begin(), within.end()),
             *std::max_element(within.begin(), within.end()), median(within),
             *std::min_element(other.begin(), other.end()), median(other),
             median(within) / median(other), area_under_curve(within, other));
