@@ -87,8 +87,8 @@ struct Nearest {
     float mean_distance = 0.0F;                                         ///< both ways
 };
 
-/// Replaces the last bits of each distance, which is not negative, by its place in the row: the least
-/// then knows where it stood.
+/// Replaces the last bits of each distance, which is not negative, by its place in the row: the
+/// least then knows where it stood.
 template <typename Row>
 void mark_places(Row& row) {
     static_assert(Row::SizeAtCompileTime <= 128);

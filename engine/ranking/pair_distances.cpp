@@ -20,9 +20,9 @@ double distance_by(const descriptor::ModelDescriptor& a, const descriptor::Model
 
 double build_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
     // Each over its mean over many kinds.
-    constexpr double kThickness = 2.0 / 1900.0;
+    constexpr double kThickness = 3.0 / 1900.0;
     constexpr double kThicknessPairs = 1.0 / 4000.0;
-    constexpr double kSkeletonPairs = 0.7 / 3000.0;
+    constexpr double kSkeletonPairs = 1.2 / 3000.0;
     constexpr double kBuildAlone = 0.0;
     return kThickness * distance_by(a, b, descriptor::kThicknessPlace) +
            kThicknessPairs * distance_by(a, b, descriptor::kThicknessPairsPlace) +

@@ -1,6 +1,6 @@
 // People of our own making, of whom both labels are known exactly: some builds (lengths, girths and
-// the whole size drawn about those of adults), each in the same poses, every joint a few degrees off
-// as people are. Bodies are closed surfaces of revolution about their bones, which go through
+// the whole size drawn about those of adults), each in the same poses, every joint a few degrees
+// off as people are. Bodies are closed surfaces of revolution about their bones, which go through
 // each other; y is up, lengths are metres. Writes DEST/off/N.off (N = 100 * build + pose + 1),
 // DEST/build.cla and DEST/pose.cla.
 #include <fmt/format.h>
@@ -137,8 +137,8 @@ void add_bone(mesh::TriangleMesh& mesh, const Ring& from, const Ring& to, double
     cap(from, -kCap + 1.0);
     for (int i = 1; i < kAlong; ++i) {
         const double t = static_cast<double>(i) / kAlong;
-        rings.push_back({(1.0 - t) * from.middle + t * to.middle,
-                         (1.0 - t) * from.radius + t * to.radius});
+        rings.push_back(
+            {(1.0 - t) * from.middle + t * to.middle, (1.0 - t) * from.radius + t * to.radius});
     }
     cap(to, 0.0);
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -168,8 +168,7 @@ void add_bone(mesh::TriangleMesh& mesh, const Ring& from, const Ring& to, double
 
 void add_arm(mesh::TriangleMesh& mesh, const Build& build, const ArmPose& pose, double sign,
              const Vec3& chest, const Mat3& trunk) {
-    const Vec3 shoulder =
-        chest + trunk * Vec3(sign * build.shoulder, 0.07 * build.spine, 0.0);
+    const Vec3 shoulder = chest + trunk * Vec3(sign * build.shoulder, 0.07 * build.spine, 0.0);
     const Vec3 upper = trunk * turn(Vec3::UnitX(), -pose.forward) *
                        turn(Vec3::UnitZ(), sign * pose.raised) * -Vec3::UnitY();
     const Vec3 elbow = shoulder + build.upper_arm * upper;

@@ -14,13 +14,13 @@ namespace {
 /// A body of a trunk, a head, and two limbs at `left` and `right` (radians above the horizontal),
 /// all of thickness `radius`; as a file laid along the axes of `turn` would hold it.
 std::vector<std::uint8_t> figure(double left, double right, double radius = 2.0,
-                                 const Mat3& turn = Mat3::Identity()) {
+                                 const Mat3& turn = Mat3::Identity(), double limb_length = 18.0) {
     const Vec3 top(0.0, 0.0, 24.0);
     std::vector<test::Capsule> limbs = {{Vec3::Zero(), top, radius},
                                         {top, top + Vec3(0.0, 3.0, 6.0), 1.2 * radius}};
     for (const auto& [angle, side] : {std::pair(left, -1.0), std::pair(right, 1.0)}) {
         const Vec3 direction(side * std::cos(angle), 0.0, std::sin(angle));
-        limbs.push_back({top, top + 18.0 * direction, radius});
+        limbs.push_back({top, top + limb_length * direction, radius});
     }
     const voxel::BitVolume volume = test::capsule_volume(limbs);
     const SolidSurface surface = solid_surface(volume);
@@ -42,6 +42,21 @@ TEST(PosePoints, AreNearForOneAndFarForAnotherPose) {
         last = bent;
     }
     EXPECT_GT(last, 1.7 * thicker);
+}
+
+TEST(PosePoints, AreNearForOnePoseOfBodiesOfOtherLengthsAndGirths) {
+    const auto body = figure(-0.9, 0.7);
+    for (const double length : {14.0, 23.0}) {
+        for (const double radius : {1.6, 2.6}) {
+            const auto same = figure(-0.9, 0.7, radius, Mat3::Identity(), length);
+            const auto other = figure(-0.3, 0.2, radius, Mat3::Identity(), length);
+            const auto ours = figure(-0.3, 0.2);
+            EXPECT_LT(pose_points_distance(body, same), pose_points_distance(body, other))
+                << length << ' ' << radius;
+            EXPECT_LT(pose_points_distance(body, same), pose_points_distance(body, ours))
+                << length << ' ' << radius;
+        }
+    }
 }
 
 TEST(PosePoints, AreSymmetricBitByBit) {
