@@ -28,11 +28,17 @@ ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token sto
 Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
                                                  const descriptor::ModelDescriptor& query,
                                                  const SearchOptions& options, ModelId left_out) {
-    // One more, because the model that is left out is among the nearest. A class is looked for in
-    // the whole ranked list: normalisation and re-ranking then do not depend on the filter.
+    // One more, because the model that is left out is among the nearest. Distances do not depend on
+    // the class that is looked for: they are judged by the whole collection.
     ranking::NearestOptions nearest;
-    const bool all = options.limit == 0 || !options.class_filter.empty();
-    nearest.count = all ? snapshot.size() : options.limit + 1;
+    nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
+    std::vector<std::uint32_t> of_class;
+    if (!options.class_filter.empty()) {
+        for (std::uint32_t i = 0; i < snapshot.size(); ++i) {
+            if (snapshot.models()[i].class_name == options.class_filter) of_class.push_back(i);
+        }
+        nearest.among = of_class;
+    }
     const auto models =
         ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
                                 snapshot.statistics(), options.rank, nearest);
@@ -41,7 +47,6 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
     for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
-        if (!options.class_filter.empty() && model.class_name != options.class_filter) continue;
         hits.push_back(found);
         if (hits.size() == options.limit) break;
     }

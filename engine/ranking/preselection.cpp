@@ -123,12 +123,17 @@ private:
 Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query,
                                             DescriptorSpan collection,
                                             const CollectionStatistics& statistics,
-                                            const RankOptions& options, std::size_t count) {
+                                            const RankOptions& options,
+                                            const NearestOptions& nearest) {
     const auto distances = rank_distances(query, collection, statistics, options);
     if (!distances) return distances.error();
     std::vector<RankedModel> models;
-    for (std::size_t i = 0; i < distances->size(); ++i) models.push_back({i, (*distances)[i]});
-    keep_nearest(models, count);
+    if (nearest.among) {
+        for (const std::uint32_t i : *nearest.among) models.push_back({i, (*distances)[i]});
+    } else {
+        for (std::size_t i = 0; i < distances->size(); ++i) models.push_back({i, (*distances)[i]});
+    }
+    keep_nearest(models, nearest.count);
     return models;
 }
 
@@ -145,22 +150,25 @@ Preselection::Preselection(DescriptorSpan collection) : count_(collection.size()
     }
 }
 
-std::vector<std::uint32_t> Preselection::nearest(std::span<const float> signature,
-                                                 std::size_t count) const {
+std::vector<std::uint32_t> Preselection::nearest(
+    std::span<const float> signature, std::size_t count,
+    std::optional<std::span<const std::uint32_t>> among) const {
     std::vector<std::uint8_t> query(descriptor::kSignatureSize, 0);
     std::transform(signature.begin(),
                    signature.begin() + static_cast<std::ptrdiff_t>(
                                            std::min(signature.size(), descriptor::kSignatureSize)),
                    query.begin(), to_byte);
     // Distance and index in one number, so that selecting compares one.
-    std::vector<std::uint64_t> order(count_);
-    for (std::size_t i = 0; i < count_; ++i) {
+    std::vector<std::uint64_t> order(among ? among->size() : count_);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const std::size_t i = among ? (*among)[k] : k;
+        assert(i < count_);
         const std::uint64_t distance =
             descriptor::byte_distance(query.data(), bytes_.data() + i * descriptor::kSignatureSize,
                                       descriptor::kSignatureSize);
-        order[i] = distance << 32 | i;
+        order[k] = distance << 32 | i;
     }
-    const std::size_t kept = std::min(count, count_);
+    const std::size_t kept = std::min(count, order.size());
     std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end());
     std::vector<std::uint32_t> indices;
     indices.reserve(kept);
@@ -178,14 +186,16 @@ Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescripto
                                                 const RankOptions& options,
                                                 const NearestOptions& nearest) {
     if (options.part || options.ranker == RankerKind::kChainCode ||
-        collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals) {
-        return all_models(query, collection, statistics, options, nearest.count);
+        collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals ||
+        (options.rerank && nearest.among)) {
+        return all_models(query, collection, statistics, options, nearest);
     }
     assert(preselection.size() == collection.size());
     const Normalization normalization(statistics);
     const Search search(query, collection, normalization, options);
     std::vector<RankedModel> models;
-    for (const std::uint32_t index : preselection.nearest(query.signature, nearest.by_signature)) {
+    for (const std::uint32_t index :
+         preselection.nearest(query.signature, nearest.by_signature, nearest.among)) {
         models.push_back({index, 0.0});
     }
     search.measure(models, true);

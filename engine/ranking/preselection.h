@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,10 @@ public:
 
     /// The `count` models with the nearest signatures, ascending by index; of equally near ones
     /// those with lower indices.
-    [[nodiscard]] std::vector<std::uint32_t> nearest(std::span<const float> signature,
-                                                     std::size_t count) const;
+    /// @param among  indices that may be taken, ascending; of all models without
+    [[nodiscard]] std::vector<std::uint32_t> nearest(
+        std::span<const float> signature, std::size_t count,
+        std::optional<std::span<const std::uint32_t>> among = {}) const;
 
 private:
     std::size_t count_ = 0;
@@ -41,6 +44,10 @@ struct NearestOptions {
     std::size_t exhaustive_below = 2000;
     std::size_t by_signature = 8000;  ///< models that pass the scan of signatures
     std::size_t by_globals = 800;     ///< of those, models that pass the global descriptors
+    /// Indices of the models that may be hits, ascending; all without. The scan and what follows
+    /// look at no other, and each model is at the same distance as without it, except with
+    /// `rerank`, where all places are found first.
+    std::optional<std::span<const std::uint32_t>> among = {};
 };
 
 /// The nearest models of a large collection, nearest first, equal distances by index: a scan of all

@@ -79,6 +79,35 @@ TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
     }
 }
 
+TEST_F(PreselectionTest, TakesOnlyWhatItIsToldAtTheSameDistances) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    const CollectionStatistics statistics = *collection_statistics(all);
+    std::vector<std::uint32_t> odd;
+    for (std::uint32_t i = 1; i < all.size(); i += 2) odd.push_back(i);
+    for (const RankerKind ranker : kAllRankers) {
+        for (const bool rerank : {false, true}) {
+            const RankOptions options{.ranker = ranker, .rerank = rerank};
+            const auto exact = *rank_distances(*all[4], all, statistics, options);
+            NearestOptions nearest = narrow();
+            nearest.among = odd;
+            const auto found =
+                *nearest_models(*all[4], all, preselection, statistics, options, nearest);
+            ASSERT_EQ(found.size(), 2U);
+            for (const RankedModel& model : found) {
+                EXPECT_EQ(model.index % 2, 1U);
+                EXPECT_EQ(model.distance, exact[model.index]) << to_string(ranker);
+            }
+            double least = exact[1];
+            for (const std::uint32_t i : odd) least = std::min(least, exact[i]);
+            EXPECT_EQ(found[0].distance, least) << to_string(ranker);
+            nearest.among = std::span<const std::uint32_t>();
+            EXPECT_TRUE(
+                nearest_models(*all[4], all, preselection, statistics, options, nearest)->empty());
+        }
+    }
+}
+
 TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
     const auto all = collection();
     const Preselection preselection(all);
