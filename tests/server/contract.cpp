@@ -18,7 +18,7 @@ nlohmann::json scalar(const YAML::Node& node) {
     if (node.Tag() == "!") return text;
     if (text == "true" || text == "false") return text == "true";
     const nlohmann::json number = nlohmann::json::parse(text, nullptr, false);
-    return number.is_number() ? number : json(text);
+    return number.is_number() ? number : nlohmann::json(text);
 }
 
 nlohmann::json converted(const YAML::Node& node) {
@@ -32,7 +32,7 @@ nlohmann::json converted(const YAML::Node& node) {
         for (const auto& entry : node) array.push_back(converted(entry));
         return array;
     }
-    return node.IsNull() ? json() : scalar(node);
+    return node.IsNull() ? nlohmann::json() : scalar(node);
 }
 
 /// Adds what a part of an allOf asks for: properties and the names of those that must be there.
