@@ -8,33 +8,23 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/voxel/point_set.h"
+
 namespace ossuary::decomposition {
 namespace {
 
 constexpr std::size_t kFirstLook = 16;
 
-/// How nanoflann sees the vertices.
-struct Points {
-    const std::vector<Vec3>& vertices;
-    [[nodiscard]] std::size_t kdtree_get_point_count() const { return vertices.size(); }
-    [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-        return vertices[index][static_cast<Eigen::Index>(axis)];
-    }
-    template <typename Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
-
 }  // namespace
 
 struct BranchMapping::Tree {
-    using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
-                                                      Points, 3, std::size_t>;
+    using Index =
+        nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, voxel::PointSet>,
+                                            voxel::PointSet, 3, std::size_t>;
     explicit Tree(const std::vector<Vec3>& vertices) : points{vertices}, index(3, points) {
         index.buildIndex();
     }
-    Points points;
+    voxel::PointSet points;
     Index index;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/named.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/model_objects.h"
 #include "engine/mesh/obj_lines.h"
@@ -306,12 +307,10 @@ bool looks_like_obj(std::string_view text) {
 
 Result<ReadMeshResult> read_obj(std::string_view text, std::string_view name,
                                 const ReadMeshOptions& options, const std::stop_token& stop) {
-    Result<ReadMeshResult> result = [&]() -> Result<ReadMeshResult> {
-        if (std::optional<Error> binary = nul_byte(text, ErrorCode::kObjBinary)) return *binary;
-        return ObjReader(without_byte_order_mark(text), options, stop).read();
-    }();
-    if (result) return result;
-    return {result.error().code, std::string(name) + ", " + result.error().message};
+    if (std::optional<Error> binary = nul_byte(text, ErrorCode::kObjBinary)) {
+        return named<ReadMeshResult>(name, *std::move(binary));
+    }
+    return named(name, ObjReader(without_byte_order_mark(text), options, stop).read());
 }
 
 }  // namespace ossuary::mesh

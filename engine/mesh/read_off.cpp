@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/core/named.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/off_header.h"
 #include "engine/mesh/read_off_binary.h"
@@ -278,9 +279,7 @@ Result<ReadMeshResult> read_off_text(std::string_view file, const MeshBuilder& b
 
 Result<ReadMeshResult> read_off(std::string_view text, std::string_view name,
                                 const ReadMeshOptions& options, const std::stop_token& stop) {
-    Result<ReadMeshResult> result = read_off_text(text, MeshBuilder(kOffCodes, options, stop));
-    if (result) return result;
-    return {result.error().code, std::string(name) + ", " + result.error().message};
+    return named(name, read_off_text(text, MeshBuilder(kOffCodes, options, stop)));
 }
 
 }  // namespace ossuary::mesh

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/named.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/ply_body.h"
 #include "engine/mesh/ply_header.h"
@@ -353,9 +354,7 @@ Result<ReadMeshResult> read_ply_bytes(std::string_view bytes, const ReadMeshOpti
 
 Result<ReadMeshResult> read_ply(std::string_view bytes, std::string_view name,
                                 const ReadMeshOptions& options, const std::stop_token& stop) {
-    Result<ReadMeshResult> result = read_ply_bytes(bytes, options, stop);
-    if (result) return result;
-    return {result.error().code, std::string(name) + ", " + result.error().message};
+    return named(name, read_ply_bytes(bytes, options, stop));
 }
 
 }  // namespace ossuary::mesh

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/core/named.h"
 #include "engine/mesh/load_number.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/model_objects.h"
@@ -309,10 +310,8 @@ bool looks_like_stl_text(std::string_view text) {
 Result<ReadMeshResult> read_stl(std::string_view bytes, std::string_view name,
                                 const ReadMeshOptions& options, const std::stop_token& stop) {
     const bool binary = is_binary_stl(bytes) || resembles_binary_stl(bytes);
-    Result<ReadMeshResult> result =
-        binary ? read_binary(bytes, options, stop) : StlTextReader(bytes, options, stop).read();
-    if (result) return result;
-    return {result.error().code, std::string(name) + ", " + result.error().message};
+    return named(name, binary ? read_binary(bytes, options, stop)
+                              : StlTextReader(bytes, options, stop).read());
 }
 
 }  // namespace ossuary::mesh

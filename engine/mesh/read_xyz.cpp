@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/core/named.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/text_scanner.h"
 
@@ -133,9 +134,7 @@ bool is_xyz_rather_than_off(std::string_view text) {
 
 Result<ReadMeshResult> read_xyz(std::string_view text, std::string_view name,
                                 const ReadMeshOptions& options, const std::stop_token& stop) {
-    Result<ReadMeshResult> result = read_points(text, MeshBuilder(kXyzCodes, options, stop));
-    if (result) return result;
-    return {result.error().code, std::string(name) + ", " + result.error().message};
+    return named(name, read_points(text, MeshBuilder(kXyzCodes, options, stop)));
 }
 
 }  // namespace ossuary::mesh

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <string>
 
+#include "engine/core/named.h"
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/volume.h"
 #include "engine/voxel/volume_parts.h"
@@ -144,9 +145,7 @@ Result<Volume> read_binvox_bytes(std::string_view bytes, const VolumeOptions& op
 
 Result<Volume> read_binvox(std::string_view bytes, std::string_view name,
                            const VolumeOptions& options, const std::stop_token& stop) {
-    Result<Volume> volume = read_binvox_bytes(bytes, options, stop);
-    if (volume) return volume;
-    return {volume.error().code, std::string(name) + ", " + volume.error().message};
+    return named(name, read_binvox_bytes(bytes, options, stop));
 }
 
 }  // namespace ossuary::voxel

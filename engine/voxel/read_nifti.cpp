@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/core/named.h"
 #include "engine/mesh/load_number.h"
 #include "engine/voxel/nifti_header.h"
 #include "engine/voxel/volume.h"
@@ -216,9 +217,7 @@ bool looks_like_nifti(std::string_view bytes) {
 
 Result<Volume> read_nifti(std::string_view bytes, std::string_view name,
                           const VolumeOptions& options, const std::stop_token&) {
-    Result<Volume> volume = read_nifti_bytes(bytes, options);
-    if (volume) return volume;
-    return {volume.error().code, std::string(name) + ", " + volume.error().message};
+    return named(name, read_nifti_bytes(bytes, options));
 }
 
 }  // namespace ossuary::voxel

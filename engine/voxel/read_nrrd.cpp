@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/core/named.h"
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/nrrd_header.h"
 #include "engine/voxel/volume.h"
@@ -127,9 +128,7 @@ Result<Volume> read_nrrd_bytes(std::string_view bytes, const VolumeOptions& opti
 
 Result<Volume> read_nrrd(std::string_view bytes, std::string_view name,
                          const VolumeOptions& options, const std::stop_token& stop) {
-    Result<Volume> volume = read_nrrd_bytes(bytes, options, stop);
-    if (volume) return volume;
-    return {volume.error().code, std::string(name) + ", " + volume.error().message};
+    return named(name, read_nrrd_bytes(bytes, options, stop));
 }
 
 }  // namespace ossuary::voxel

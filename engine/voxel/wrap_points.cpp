@@ -13,6 +13,7 @@
 #include "engine/voxel/components.h"
 #include "engine/voxel/distance_transform.h"
 #include "engine/voxel/level_surface.h"
+#include "engine/voxel/point_set.h"
 #include "engine/voxel/scalar_grid.h"
 
 namespace ossuary::voxel {
@@ -32,18 +33,6 @@ constexpr std::array kWider = {1.25, 1.6};
 /// Grid points to the balls' radius.
 constexpr double kRadiusVoxels = 3.0;
 
-/// How nanoflann sees the points.
-struct PointSet {
-    const std::vector<Vec3>& points;
-    [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
-    [[nodiscard]] double kdtree_get_pt(std::size_t index, std::size_t axis) const {
-        return points[index][static_cast<Eigen::Index>(axis)];
-    }
-    template <typename Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;
-    }
-};
 using PointTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointSet>, PointSet, 3,
                                         std::size_t>;

@@ -14,15 +14,15 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct CompareArguments {
     std::string a, b;
     std::string index_path;
     PipelineOptions pipeline;
     RankingOptions ranking;
 };
 
-Result<index::Comparison> compare_files(const Options& options, const ranking::RankOptions& rank,
-                                        const Session& session) {
+Result<index::Comparison> compare_files(const CompareArguments& options,
+                                        const ranking::RankOptions& rank, const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
     const Result<mesh::ReadMeshResult> a = session.reader->read(options.a, {}, session.stop);
@@ -37,7 +37,7 @@ Result<index::Comparison> compare_files(const Options& options, const ranking::R
     return comparison;
 }
 
-Result<index::Comparison> compare_indexed(const Options& options,
+Result<index::Comparison> compare_indexed(const CompareArguments& options,
                                           const ranking::RankOptions& rank) {
     Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
     if (!searcher.ok()) return searcher.error();
@@ -71,7 +71,7 @@ void print_comparison(const index::Comparison& comparison) {
     std::cout << table.text();
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const CompareArguments& options, const Session& session) {
     const Result<std::vector<ranking::RankOptions>> rank =
         options.ranking.rank_options(session.jobs);
     if (!rank.ok()) return rank.error();
@@ -90,7 +90,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_compare(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CompareArguments>();
     CLI::App* command =
         app.add_subcommand("compare", "Distance of two models, its parts and correspondences");
     command->add_option("A", options->a, "A model file, or with --index a model's name or #id")

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kPosesOfAClass = 5;
 
-struct Options {
+struct EvaluateArguments {
     std::string index_path;
     std::string classes_path;
     std::string build_classes_path;
@@ -82,7 +82,8 @@ void print_evaluation(const index::Evaluation& evaluation) {
     std::cout << table.text();
 }
 
-Result<std::vector<index::Evaluation>> evaluate_all(const Options& options, const Session& session,
+Result<std::vector<index::Evaluation>> evaluate_all(const EvaluateArguments& options,
+                                                    const Session& session,
                                                     const index::Snapshot& snapshot) {
     const Result<std::vector<ranking::RankOptions>> ranks =
         options.ranking.rank_options(session.jobs);
@@ -105,8 +106,8 @@ Result<std::vector<index::Evaluation>> evaluate_all(const Options& options, cons
 }
 
 /// The report, and pictures of what pose does for rankers that know it.
-Result<void> write_reports(const Options& options, const Session& session, index::Store& store,
-                           const index::Snapshot& snapshot,
+Result<void> write_reports(const EvaluateArguments& options, const Session& session,
+                           index::Store& store, const index::Snapshot& snapshot,
                            const std::vector<index::Evaluation>& evaluations) {
     const auto written = index::write_report(options.report_folder, evaluations);
     if (!written.ok()) return written.error();
@@ -153,7 +154,7 @@ void print_build_and_pose(const index::BuildAndPose& evaluation) {
     }
 }
 
-Result<index::BuildAndPoseOptions> read_build_and_pose(const Options& options) {
+Result<index::BuildAndPoseOptions> read_build_and_pose(const EvaluateArguments& options) {
     Result<ranking::Classification> builds =
         ranking::read_classification(options.build_classes_path);
     if (!builds.ok()) return builds.error();
@@ -162,7 +163,7 @@ Result<index::BuildAndPoseOptions> read_build_and_pose(const Options& options) {
     return index::BuildAndPoseOptions{*std::move(builds), *std::move(poses), {}};
 }
 
-Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& options,
+Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const EvaluateArguments& options,
                                                             const Session& session,
                                                             const index::Snapshot& snapshot,
                                                             index::BuildAndPoseOptions asked) {
@@ -180,7 +181,7 @@ Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const Options& optio
 }
 
 /// The curves as values, and in the page that shows like poses.
-Result<void> write_build_and_pose(const Options& options, const Session& session,
+Result<void> write_build_and_pose(const EvaluateArguments& options, const Session& session,
                                   index::Store& store, const index::Snapshot& snapshot,
                                   const ranking::Classification& builds,
                                   const std::vector<index::BuildAndPose>& evaluations) {
@@ -201,7 +202,7 @@ Result<void> write_build_and_pose(const Options& options, const Session& session
                             index::build_and_pose_csv(evaluations));
 }
 
-Result<ExitCode> run_build_and_pose(const Options& options, const Session& session) {
+Result<ExitCode> run_build_and_pose(const EvaluateArguments& options, const Session& session) {
     if (options.build_classes_path.empty() || options.pose_classes_path.empty()) {
         return {ErrorCode::kInvalidArgument,
                 "--build-classes and --pose-classes: name both or neither"};
@@ -227,7 +228,7 @@ Result<ExitCode> run_build_and_pose(const Options& options, const Session& sessi
     return ExitCode::kDone;
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const EvaluateArguments& options, const Session& session) {
     if (!options.build_classes_path.empty() || !options.pose_classes_path.empty()) {
         return run_build_and_pose(options, session);
     }
@@ -258,7 +259,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_evaluate(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateArguments>();
     CLI::App* command = app.add_subcommand(
         "evaluate", "Leave-one-out retrieval quality: NN, tiers, E-measure, DCG, MAP, by class");
     add_index_option(*command, options->index_path);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kCellPixels = 144;
 
-struct Options {
+struct EvaluateSegmentationArguments {
     index::SegmentationEvaluationOptions evaluation;
     std::string classes_path;
     std::string out;
@@ -75,7 +75,7 @@ void print_evaluation(const index::SegmentationEvaluation& evaluation) {
     }
 }
 
-Result<ExitCode> run(Options options, const Session& session) {
+Result<ExitCode> run(EvaluateSegmentationArguments options, const Session& session) {
     const Result<decomposition::DecompositionMethod> method =
         decomposition::parse_decomposition_method(options.method);
     if (!method.ok()) return method.error();
@@ -120,7 +120,7 @@ Result<ExitCode> run(Options options, const Session& session) {
 }  // namespace
 
 void add_evaluate_segmentation(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateSegmentationArguments>();
     CLI::App* command = app.add_subcommand(
         "evaluate-segmentation",
         "Hold parts against those that people made, by the measures of the Princeton benchmark");

@@ -17,13 +17,14 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct ExportArguments {
     std::string index_path;
     std::string folder;
     std::vector<std::string> models;
 };
 
-Result<std::vector<index::ModelSummary>> chosen(index::Store& store, const Options& options) {
+Result<std::vector<index::ModelSummary>> chosen(index::Store& store,
+                                                const ExportArguments& options) {
     if (options.models.empty()) {
         index::ModelFilter everything;
         everything.limit = 0;
@@ -109,7 +110,7 @@ nlohmann::json report_failure(const index::ModelSummary& model, const Error& err
 }
 
 // One model that cannot be exported does not keep the others back.
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const ExportArguments& options, const Session& session) {
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadOnly);
     if (!store.ok()) return store.error();
     const Result<std::vector<index::ModelSummary>> models = chosen(*store, options);
@@ -147,7 +148,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_export(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportArguments>();
     CLI::App* command = app.add_subcommand(
         "export", "Print what an index holds as JSON Lines, or write it into a folder");
     add_index_option(*command, options->index_path);

@@ -15,7 +15,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct IndexArguments {
     std::string index_path;
     std::string classes_path;
     std::vector<std::string> paths;
@@ -29,7 +29,7 @@ struct Options {
 };
 
 // What the user leaves open is as in the index that is there.
-Result<index::IndexParameters> parameters_for(const Options& options) {
+Result<index::IndexParameters> parameters_for(const IndexArguments& options) {
     index::IndexParameters defaults;
     if (std::filesystem::exists(options.index_path)) {
         Result<index::Store> existing =
@@ -81,7 +81,7 @@ void print_outcome(const index::IndexOutcome& outcome, const std::string& index_
                                  duration_text(outcome.seconds));
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const IndexArguments& options, const Session& session) {
     const Result<index::IndexParameters> parameters = parameters_for(options);
     if (!parameters.ok()) return parameters.error();
 
@@ -129,7 +129,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_index(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<IndexArguments>();
     CLI::App* command = app.add_subcommand("index", "Index models, or bring an index up to date");
     add_index_option(*command, options->index_path);
     command->add_option("PATH", options->paths, "Model files, and folders to walk")->required();

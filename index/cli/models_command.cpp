@@ -11,14 +11,14 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct ModelsArguments {
     std::string index_path;
     std::string class_name;
     std::string name_contains;
     std::size_t limit = 0;
 };
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const ModelsArguments& options, const Session& session) {
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadOnly);
     if (!store.ok()) return store.error();
     index::ModelFilter filter;
@@ -55,7 +55,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_models(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ModelsArguments>();
     CLI::App* command = app.add_subcommand("models", "List the models of an index");
     add_index_option(*command, options->index_path);
     command->add_option("--class", options->class_name, "Only this class");

@@ -12,14 +12,14 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct RemoveArguments {
     std::string index_path;
     std::vector<std::string> models;
     bool all_of_name = false;
 };
 
 // All that are named go in one transaction, or none: one wrong name removes nothing.
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const RemoveArguments& options, const Session& session) {
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadWrite);
     if (!store.ok()) return store.error();
     const Result<std::vector<index::ModelSummary>> models =
@@ -46,7 +46,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_remove(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RemoveArguments>();
     CLI::App* command = app.add_subcommand("remove", "Remove models from an index");
     add_index_option(*command, options->index_path);
     command->add_option("MODEL", options->models, "Names or #ids")->required();

@@ -14,7 +14,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct SearchArguments {
     std::string index_path;
     std::string model_path;
     std::size_t limit = index::SearchOptions{}.limit;
@@ -39,7 +39,7 @@ void print_hits(const index::SearchResult& result) {
                                  result.models, result.took_ms);
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const SearchArguments& options, const Session& session) {
     const Result<std::vector<ranking::RankOptions>> rank =
         options.ranking.rank_options(session.jobs);
     if (!rank.ok()) return rank.error();
@@ -80,7 +80,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_search(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SearchArguments>();
     CLI::App* command =
         app.add_subcommand("search", "Find the models of an index that resemble a model file");
     add_index_option(*command, options->index_path);

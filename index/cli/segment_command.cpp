@@ -21,7 +21,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct SegmentArguments {
     std::string model_path;
     std::vector<std::string> out;
     std::string method = "evidence";
@@ -29,8 +29,8 @@ struct Options {
 };
 
 nlohmann::json document_of(const decomposition::Decomposition& decomposition,
-                           const decomposition::Segmentation& faces, const Options& options,
-                           const StageTimes& times) {
+                           const decomposition::Segmentation& faces,
+                           const SegmentArguments& options, const StageTimes& times) {
     nlohmann::json parts = nlohmann::json::array();
     std::vector<std::size_t> face_counts(faces.parts, 0);
     for (const std::uint32_t label : faces.labels) ++face_counts[label];
@@ -94,7 +94,7 @@ void print_parts(const nlohmann::json& document) {
     std::cout << table.text();
 }
 
-Result<ExitCode> run(Options options, const Session& session) {
+Result<ExitCode> run(SegmentArguments options, const Session& session) {
     const Result<decomposition::DecompositionMethod> method =
         decomposition::parse_decomposition_method(options.method);
     if (!method.ok()) return method.error();
@@ -132,7 +132,7 @@ Result<ExitCode> run(Options options, const Session& session) {
 }  // namespace
 
 void add_segment(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SegmentArguments>();
     CLI::App* command =
         app.add_subcommand("segment", "Cut a model into the parts that people would see");
     command->add_option("MODEL", options->model_path, "A model file")->required();

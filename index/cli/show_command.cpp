@@ -11,7 +11,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct ShowArguments {
     std::string index_path;
     std::string model;
 };
@@ -87,7 +87,7 @@ Result<ExitCode> show_model(index::Store& store, const std::string& text, const 
     return ExitCode::kDone;
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const ShowArguments& options, const Session& session) {
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadOnly);
     if (!store.ok()) return store.error();
     return options.model.empty() ? show_index(*store, session)
@@ -97,7 +97,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_show(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ShowArguments>();
     CLI::App* command = app.add_subcommand(
         "show", "Show an index (parameters, failures) or one model with its chain codes");
     add_index_option(*command, options->index_path);

@@ -17,7 +17,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct SkeletonArguments {
     std::string model_path;
     std::string stage = "refined";
     std::string out;
@@ -31,7 +31,7 @@ const skeleton::SkeletonGraph& stage_of(const skeleton::Skeleton& skeleton,
     return skeleton.refined;
 }
 
-nlohmann::json document_of(const skeleton::SkeletonGraph& graph, const Options& options,
+nlohmann::json document_of(const skeleton::SkeletonGraph& graph, const SkeletonArguments& options,
                            const StageTimes& times,
                            const std::vector<mesh::MeshWarning>& warnings) {
     const skeleton::GraphTopology shape = skeleton::topology(graph);
@@ -54,7 +54,7 @@ Result<void> write_out(const std::string& out, const skeleton::SkeletonGraph& gr
             fmt::format("{}: a skeleton is written as .obj or .json", out)};
 }
 
-void print_summary(const skeleton::SkeletonGraph& graph, const Options& options,
+void print_summary(const skeleton::SkeletonGraph& graph, const SkeletonArguments& options,
                    const StageTimes& times, const std::vector<mesh::MeshWarning>& warnings) {
     const skeleton::GraphTopology shape = skeleton::topology(graph);
     double length = 0.0;
@@ -71,7 +71,7 @@ void print_summary(const skeleton::SkeletonGraph& graph, const Options& options,
     }
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const SkeletonArguments& options, const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
     Stopwatch watch;
@@ -106,7 +106,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_skeleton(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SkeletonArguments>();
     CLI::App* command = app.add_subcommand("skeleton", "Extract the curve skeleton of a model");
     command->add_option("MODEL", options->model_path, "A model file")->required();
     command->add_option("--stage", options->stage, "thinned, pruned or refined")

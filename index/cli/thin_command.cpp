@@ -16,7 +16,7 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct ThinArguments {
     std::string in;
     std::string out;
     std::string method = "anchored";
@@ -51,7 +51,7 @@ nlohmann::json to_json(const voxel::BettiNumbers& betti) {
         {"components", betti.components}, {"tunnels", betti.tunnels}, {"cavities", betti.cavities}};
 }
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const ThinArguments& options, const Session& session) {
     skeleton::ThinningOptions thinning;
     const Result<skeleton::ThinningMethod> method = skeleton::parse_thinning_method(options.method);
     if (!method.ok()) return method.error();
@@ -103,7 +103,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_thin(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ThinArguments>();
     CLI::App* command = app.add_subcommand(
         "thin", "Thin a solid volume (uint8 .npy) to its curve skeleton, topology kept");
     command->add_option("IN", options->in, "3-D .npy, everything but 0 is solid")->required();

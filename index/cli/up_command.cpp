@@ -11,13 +11,13 @@
 namespace ossuary::cli {
 namespace {
 
-struct Options {
+struct UpArguments {
     std::string index_path;
     std::vector<std::string> words;  ///< models, and last the axis
     bool all_of_name = false;
 };
 
-Result<ExitCode> run(const Options& options, const Session& session) {
+Result<ExitCode> run(const UpArguments& options, const Session& session) {
     const auto up = parse_up_or_auto(options.words.back());
     if (!up.ok()) return up.error();
     Result<index::Store> store = index::Store::open(options.index_path, index::Access::kReadWrite);
@@ -42,7 +42,7 @@ Result<ExitCode> run(const Options& options, const Session& session) {
 }  // namespace
 
 void add_up(CLI::App& app, Session& session) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<UpArguments>();
     CLI::App* command = app.add_subcommand(
         "up", "Say which axis of a model points up; its picture is drawn anew, nothing is indexed");
     add_index_option(*command, options->index_path);

@@ -70,10 +70,7 @@ Checked<Response> change_model(Service& service, const Request& request) {
 }
 
 Checked<Response> remove_model(Service& service, const Request& request) {
-    if (auto fault = refuse_parameters(request.head)) {
-        return tl::unexpected<Problem>(*std::move(fault));
-    }
-    const auto id = parse_id(request.capture, "model");
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     if (const auto removed = service.jobs->remove(*id); !removed) return fail(removed.error());
     Response response;
@@ -82,10 +79,7 @@ Checked<Response> remove_model(Service& service, const Request& request) {
 }
 
 Checked<Response> get_job(Service& service, const Request& request) {
-    if (auto fault = refuse_parameters(request.head)) {
-        return tl::unexpected<Problem>(*std::move(fault));
-    }
-    const auto id = parse_id(request.capture, "job");
+    const auto id = only_id(request, "job");
     if (!id) return tl::unexpected<Problem>(id.error());
     // In the index, so that it is known whichever server did the work.
     const auto job = service.searcher.store().upload(*id);

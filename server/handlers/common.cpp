@@ -30,6 +30,13 @@ std::optional<Problem> refuse_parameters(const RequestHead& head) {
     return ParameterReader(head).finish();
 }
 
+Checked<std::int64_t> only_id(const Request& request, std::string_view what) {
+    if (auto fault = refuse_parameters(request.head)) {
+        return tl::unexpected<Problem>(*std::move(fault));
+    }
+    return parse_id(request.capture, what);
+}
+
 std::optional<Problem> judge_media_type(const RequestHead& head) {
     const std::string type = media_type(head.header("Content-Type"));
     // Besides those of model/: what systems and programs call STL, OBJ, PLY, 3MF and packed files.

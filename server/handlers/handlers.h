@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -61,6 +62,9 @@ Checked<Response> describe_interface(Service& service, const Request& request);
 
 /// Refuses every parameter of a request that takes none.
 [[nodiscard]] std::optional<Problem> refuse_parameters(const RequestHead& head);
+
+/// The id of a `what` from the path of a request that takes no parameters.
+[[nodiscard]] Checked<std::int64_t> only_id(const Request& request, std::string_view what);
 
 /// A model that was uploaded raw or as the form's field `model`.
 struct Upload {

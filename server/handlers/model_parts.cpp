@@ -4,18 +4,9 @@
 #include "index/presentation.h"
 #include "server/etag.h"
 #include "server/handlers/handlers.h"
-#include "server/parameters.h"
 
 namespace ossuary::server {
 namespace {
-
-/// The model's id from the path of a request that takes no parameters.
-Checked<index::ModelId> only_id(const Request& request) {
-    if (auto fault = refuse_parameters(request.head)) {
-        return tl::unexpected<Problem>(*std::move(fault));
-    }
-    return parse_id(request.capture, "model");
-}
 
 /// The parts that the index holds of a model; where it holds none, why.
 Checked<index::ModelSegments> stored_segments(Service& service, index::ModelId id) {
@@ -35,7 +26,7 @@ Checked<index::ModelSegments> stored_segments(Service& service, index::ModelId i
 }  // namespace
 
 Checked<Response> model_mesh(Service& service, const Request& request) {
-    const auto id = only_id(request);
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());
@@ -45,7 +36,7 @@ Checked<Response> model_mesh(Service& service, const Request& request) {
 }
 
 Checked<Response> model_skeleton(Service& service, const Request& request) {
-    const auto id = only_id(request);
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto skeleton = service.searcher.store().skeleton(*id);
     if (!skeleton) return fail(skeleton.error());
@@ -53,7 +44,7 @@ Checked<Response> model_skeleton(Service& service, const Request& request) {
 }
 
 Checked<Response> model_segments(Service& service, const Request& request) {
-    const auto id = only_id(request);
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto segments = stored_segments(service, *id);
     if (!segments) return tl::unexpected<Problem>(segments.error());
@@ -61,7 +52,7 @@ Checked<Response> model_segments(Service& service, const Request& request) {
 }
 
 Checked<Response> model_rig(Service& service, const Request& request) {
-    const auto id = only_id(request);
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());
@@ -79,7 +70,7 @@ Checked<Response> model_rig(Service& service, const Request& request) {
 }
 
 Checked<Response> model_thumbnail(Service& service, const Request& request) {
-    const auto id = only_id(request);
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto picture = service.searcher.store().thumbnail(*id);
     if (!picture) return fail(picture.error());

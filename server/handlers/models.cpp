@@ -83,10 +83,7 @@ Checked<Response> list_models(Service& service, const Request& request) {
 }
 
 Checked<Response> get_model(Service& service, const Request& request) {
-    if (auto fault = refuse_parameters(request.head)) {
-        return tl::unexpected<Problem>(*std::move(fault));
-    }
-    const auto id = parse_id(request.capture, "model");
+    const auto id = only_id(request, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());

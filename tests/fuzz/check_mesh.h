@@ -37,14 +37,17 @@ inline void check_mesh(const mesh::TriangleMesh& mesh) {
     require(body.of(mesh).empty() == mesh.empty());
 }
 
+using Reader = Result<mesh::ReadMeshResult>(std::string_view bytes, std::string_view name,
+                                            const mesh::ReadMeshOptions& options,
+                                            const std::stop_token& stop);
+
 /// Gives arbitrary bytes to a reader, and its mesh to check_mesh.
-template <typename Reader>
-void check_reader(const Reader& reader, const std::uint8_t* data, std::size_t size) {
+inline void check_reader(Reader& reader, const std::uint8_t* data, std::size_t size) {
     mesh::ReadMeshOptions options;
     options.max_vertices = 100'000;
     options.max_faces = 100'000;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const Result<mesh::ReadMeshResult> read = reader(bytes, options);
+    const Result<mesh::ReadMeshResult> read = reader(bytes, "input", options, {});
     if (read) {
         check_mesh(read->mesh);
     } else {

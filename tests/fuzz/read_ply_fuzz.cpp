@@ -6,10 +6,6 @@
 #include "tests/fuzz/check_mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    ossuary::fuzz::check_reader(
-        [](std::string_view bytes, const ossuary::mesh::ReadMeshOptions& options) {
-            return ossuary::mesh::read_ply(bytes, "input", options);
-        },
-        data, size);
+    ossuary::fuzz::check_reader(ossuary::mesh::read_ply, data, size);
     return 0;
 }

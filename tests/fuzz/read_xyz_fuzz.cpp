@@ -9,10 +9,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     static_cast<void>(ossuary::mesh::looks_like_xyz(bytes));
     static_cast<void>(ossuary::mesh::is_xyz_rather_than_off(bytes));
-    ossuary::fuzz::check_reader(
-        [](std::string_view text, const ossuary::mesh::ReadMeshOptions& options) {
-            return ossuary::mesh::read_xyz(text, "input", options);
-        },
-        data, size);
+    ossuary::fuzz::check_reader(ossuary::mesh::read_xyz, data, size);
     return 0;
 }

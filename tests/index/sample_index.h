@@ -17,6 +17,7 @@
 namespace ossuary::test {
 
 std::string read_file(const std::filesystem::path& path);
+/// Makes the folder too.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 /// A made-up model with a valid tree as skeleton; different for every seed, the same for the same.

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "server/application.h"
 #include "server/auth.h"
 #include "server/router.h"
+#include "tests/index/sample_index.h"
 #include "tests/server/test_server.h"
 
 namespace ossuary::test {
@@ -17,23 +17,17 @@ using namespace std::chrono_literals;
 
 constexpr const char* kKey = "a-key-for-tests-0123456789";
 
-void write(const fs::path& path, std::string_view text) {
-    fs::create_directories(path.parent_path());
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-}
-
 class Application : public testing::Test {
 protected:
     Application() {
         const fs::path web = folder_.path() / "web";
-        write(web / "index.html", "<!doctype html><title>gallery</title>");
-        write(web / "assets/index-B4x_9dKq.js", "export {};" + std::string(3000, ' '));
-        write(web / "assets/plain.css", "a{}");
-        write(web / "notes.secret", "secret");
-        write(folder_.path() / "secret.txt", "secret");
+        write_file(web / "index.html", "<!doctype html><title>gallery</title>");
+        write_file(web / "assets/index-B4x_9dKq.js", "export {};" + std::string(3000, ' '));
+        write_file(web / "assets/plain.css", "a{}");
+        write_file(web / "notes.secret", "secret");
+        write_file(folder_.path() / "secret.txt", "secret");
         fs::create_symlink(folder_.path() / "secret.txt", web / "link.txt");
-        write(folder_.path() / "key", std::string(kKey) + "\n");
+        write_file(folder_.path() / "key", std::string(kKey) + "\n");
     }
 
     TemporaryFolder folder_;
@@ -288,12 +282,12 @@ TEST_F(Application, RefusesToStartOnWhatIsNotAnIndex) {
         return opened ? std::string("opened") : std::string(to_string(opened.error().code));
     };
     EXPECT_EQ(error(folder_.path() / "none"), "index_not_found");
-    write(folder_.path() / "text", "this is not an index");
+    write_file(folder_.path() / "text", "this is not an index");
     EXPECT_EQ(error(folder_.path() / "text"), "index_foreign");
 }
 
 TEST_F(Application, RefusesAShortKey) {
-    write(folder_.path() / "short", "short\n");
+    write_file(folder_.path() / "short", "short\n");
     EXPECT_FALSE(server::read_admin_key(folder_.path() / "short"));
     EXPECT_FALSE(server::read_admin_key(folder_.path() / "none"));
     EXPECT_EQ(*server::read_admin_key(folder_.path() / "key"), kKey);
@@ -331,7 +325,7 @@ TEST(StaticFiles, TellsHashedNames) {
 
 TEST(GalleryFolder, IsFoundAboveTheProgram) {
     const TemporaryFolder folder;
-    write(folder.path() / "web/dist/index.html", "x");
+    write_file(folder.path() / "web/dist/index.html", "x");
     fs::create_directories(folder.path() / "build/release/bin");
     EXPECT_EQ(server::find_web_folder(folder.path() / "build/release/bin/ossuary-server"),
               folder.path() / "web/dist");

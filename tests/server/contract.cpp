@@ -12,33 +12,31 @@
 namespace ossuary::test {
 namespace {
 
-using nlohmann::json;
-
-json scalar(const YAML::Node& node) {
+nlohmann::json scalar(const YAML::Node& node) {
     const std::string text = node.Scalar();
     // yaml-cpp gives quoted and literal scalars the tag "!".
     if (node.Tag() == "!") return text;
     if (text == "true" || text == "false") return text == "true";
-    const json number = json::parse(text, nullptr, false);
-    return number.is_number() ? number : json(text);
+    const nlohmann::json number = nlohmann::json::parse(text, nullptr, false);
+    return number.is_number() ? number : nlohmann::json(text);
 }
 
-json converted(const YAML::Node& node) {
+nlohmann::json converted(const YAML::Node& node) {
     if (node.IsMap()) {
-        json object = json::object();
+        nlohmann::json object = nlohmann::json::object();
         for (const auto& entry : node) object[entry.first.Scalar()] = converted(entry.second);
         return object;
     }
     if (node.IsSequence()) {
-        json array = json::array();
+        nlohmann::json array = nlohmann::json::array();
         for (const auto& entry : node) array.push_back(converted(entry));
         return array;
     }
-    return node.IsNull() ? json() : scalar(node);
+    return node.IsNull() ? nlohmann::json() : scalar(node);
 }
 
 /// Adds what a part of an allOf asks for: properties and the names of those that must be there.
-void merge(json& whole, const json& part) {
+void merge(nlohmann::json& whole, const nlohmann::json& part) {
     for (const auto& [key, value] : part.items()) {
         if (key == "properties" && whole.contains(key)) {
             whole[key].update(value);
@@ -52,18 +50,18 @@ void merge(json& whole, const json& part) {
 
 /// The schema with its allOf written out and with no room for other properties than its own:
 /// "additionalProperties: false" beside an allOf would refuse the parts' properties.
-json closed(const json& schema) {
+nlohmann::json closed(const nlohmann::json& schema) {
     if (schema.is_array()) {
-        json all = json::array();
-        for (const json& each : schema) all.push_back(closed(each));
+        nlohmann::json all = nlohmann::json::array();
+        for (const nlohmann::json& each : schema) all.push_back(closed(each));
         return all;
     }
     if (!schema.is_object()) return schema;
-    json whole = json::object();
+    nlohmann::json whole = nlohmann::json::object();
     if (schema.contains("allOf")) {
-        for (const json& part : schema["allOf"]) merge(whole, closed(resolved(part)));
+        for (const nlohmann::json& part : schema["allOf"]) merge(whole, closed(resolved(part)));
     }
-    json own = json::object();
+    nlohmann::json own = nlohmann::json::object();
     for (const auto& [key, value] : schema.items()) {
         // Data, not schemas.
         const bool data = key == "enum" || key == "const" || key == "example" || key == "required";
@@ -77,28 +75,29 @@ json closed(const json& schema) {
     return whole;
 }
 
-const json& closed_components() {
-    static const json components = {{"schemas", closed(contract()["components"]["schemas"])}};
+const nlohmann::json& closed_components() {
+    static const nlohmann::json components = {
+        {"schemas", closed(contract()["components"]["schemas"])}};
     return components;
 }
 
 }  // namespace
 
-const json& contract() {
-    static const json document = parse_yaml(std::string(server::kOpenApiDocument));
+const nlohmann::json& contract() {
+    static const nlohmann::json document = parse_yaml(std::string(server::kOpenApiDocument));
     return document;
 }
 
-const json& resolved(const json& node) {
+const nlohmann::json& resolved(const nlohmann::json& node) {
     if (!node.contains("$ref")) return node;
-    return contract().at(json::json_pointer(node["$ref"].get<std::string>().substr(1)));
+    return contract().at(nlohmann::json::json_pointer(node["$ref"].get<std::string>().substr(1)));
 }
 
-json parse_yaml(const std::string& text) { return converted(YAML::Load(text)); }
+nlohmann::json parse_yaml(const std::string& text) { return converted(YAML::Load(text)); }
 
-std::vector<std::string> schema_faults(const json& schema, const json& value) {
+std::vector<std::string> schema_faults(const nlohmann::json& schema, const nlohmann::json& value) {
     // References lead into the document that they stand in, so the parts come along.
-    json root = closed(resolved(schema));
+    nlohmann::json root = closed(resolved(schema));
     root["components"] = closed_components();
     valijson::Schema parsed;
     valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(root), parsed);

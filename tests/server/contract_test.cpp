@@ -14,50 +14,50 @@
 namespace ossuary::test {
 namespace {
 
-using nlohmann::json;
-
 TEST(Yaml, ReadsWhatTheContractIsWrittenIn) {
-    const json read = parse_yaml(
+    const nlohmann::json read = parse_yaml(
         "a: 1\nb:\n  - x\n  - k: 'v: w'\n    l: [p, 2.5, 'null',\n        q]\nc: |\n  one\n\n  "
         "two\n"
         "d: &n\n  '200': { e: true, f: null }\ng: *n\nh: \"# not a comment\"\n");
-    EXPECT_EQ(read, json::parse(R"({"a":1,"b":["x",{"k":"v: w","l":["p",2.5,"null","q"]}],
+    EXPECT_EQ(read, nlohmann::json::parse(R"({"a":1,"b":["x",{"k":"v: w","l":["p",2.5,"null","q"]}],
         "c":"one\n\ntwo\n","d":{"200":{"e":true,"f":null}},"g":{"200":{"e":true,"f":null}},
         "h":"# not a comment"})"));
     EXPECT_ANY_THROW(parse_yaml("a: 1\n  b: 2\n"));
 }
 
 TEST(Contract, ValidationFindsFaults) {
-    const json schema = {{"type", "object"},
-                         {"required", {"n"}},
-                         {"properties", {{"n", {{"type", "integer"}, {"minimum", 1}}}}}};
-    const auto fits = [](const json& each, const json& value) {
+    const nlohmann::json schema = {{"type", "object"},
+                                   {"required", {"n"}},
+                                   {"properties", {{"n", {{"type", "integer"}, {"minimum", 1}}}}}};
+    const auto fits = [](const nlohmann::json& each, const nlohmann::json& value) {
         return schema_faults(each, value).empty();
     };
     EXPECT_TRUE(fits(schema, {{"n", 1}}));
     EXPECT_FALSE(fits(schema, {{"n", 0}}));
     EXPECT_FALSE(fits(schema, {{"n", "1"}}));
-    EXPECT_FALSE(fits(schema, json::object()));
+    EXPECT_FALSE(fits(schema, nlohmann::json::object()));
     EXPECT_FALSE(fits(schema, {{"n", 1}, {"m", 1}}));
-    EXPECT_FALSE(fits(schema, json::array()));
-    const json open = {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
+    EXPECT_FALSE(fits(schema, nlohmann::json::array()));
+    const nlohmann::json open = {{"type", "object"},
+                                 {"additionalProperties", {{"type", "number"}}}};
     EXPECT_TRUE(fits(open, {{"any", 1.5}}));
     EXPECT_FALSE(fits(open, {{"any", "text"}}));
-    const json both = {{"allOf", {schema}},
-                       {"properties", {{"m", {{"type", {"null", "string"}}}}}}};
+    const nlohmann::json both = {{"allOf", {schema}},
+                                 {"properties", {{"m", {{"type", {"null", "string"}}}}}}};
     EXPECT_TRUE(fits(both, {{"n", 1}, {"m", nullptr}}));
     EXPECT_FALSE(fits(both, {{"m", "x"}}));
     EXPECT_FALSE(fits(both, {{"n", 1}, {"o", 1}}));
     // References of the contract are followed, and what they lead to is closed as well.
-    const json vector = {{"type", "array"}, {"items", {{"$ref", "#/components/schemas/Bounds"}}}};
-    const json bounds = {{"min", {0, 0, 0}}, {"max", {1, 1, 1}}};
-    EXPECT_TRUE(fits(vector, json::array({bounds})));
-    json odd = bounds;
+    const nlohmann::json vector = {{"type", "array"},
+                                   {"items", {{"$ref", "#/components/schemas/Bounds"}}}};
+    const nlohmann::json bounds = {{"min", {0, 0, 0}}, {"max", {1, 1, 1}}};
+    EXPECT_TRUE(fits(vector, nlohmann::json::array({bounds})));
+    nlohmann::json odd = bounds;
     odd["middle"] = {0, 0, 0};
-    EXPECT_FALSE(fits(vector, json::array({odd})));
+    EXPECT_FALSE(fits(vector, nlohmann::json::array({odd})));
     odd = bounds;
     odd["max"] = {1, 1};
-    EXPECT_FALSE(fits(vector, json::array({odd})));
+    EXPECT_FALSE(fits(vector, nlohmann::json::array({odd})));
 }
 
 TEST(Contract, NamesEveryRouteAndNoOther) {
@@ -79,7 +79,8 @@ TEST(Contract, NamesEveryRouteAndNoOther) {
 
 TEST(Contract, NamesEveryProblemCodeAndNoOther) {
     std::set<std::string> described;
-    for (const json& code : contract().at("/components/schemas/ProblemCode/enum"_json_pointer)) {
+    for (const nlohmann::json& code :
+         contract().at("/components/schemas/ProblemCode/enum"_json_pointer)) {
         EXPECT_TRUE(described.insert(code).second) << code << " is there twice";
     }
     std::set<std::string> known;
@@ -89,13 +90,13 @@ TEST(Contract, NamesEveryProblemCodeAndNoOther) {
 
 TEST(Contract, EveryReferenceLeadsSomewhere) {
     int references = 0;
-    const std::function<void(const json&)> walk = [&](const json& node) {
+    const std::function<void(const nlohmann::json&)> walk = [&](const nlohmann::json& node) {
         if (node.is_object() && node.contains("$ref")) {
             ++references;
             EXPECT_NO_THROW((void)resolved(node)) << node;
         }
         if (node.is_structured()) {
-            for (const json& child : node) walk(child);
+            for (const nlohmann::json& child : node) walk(child);
         }
     };
     walk(contract());
@@ -106,7 +107,7 @@ TEST(Contract, ProtectsTheAdministratorsRoutes) {
     for (const server::Route& route : server::routes()) {
         std::string method(route.method);
         for (char& c : method) c = static_cast<char>(std::tolower(c));
-        const json& operation = contract()["paths"][std::string(route.pattern)][method];
+        const nlohmann::json& operation = contract()["paths"][std::string(route.pattern)][method];
         EXPECT_EQ(operation.contains("security"),
                   route.audience == server::Audience::kAdministrator)
             << route.pattern;
@@ -126,24 +127,25 @@ protected:
               int status) {
         const RawAnswer answer = server_.ask(bytes);
         ASSERT_EQ(answer.status, status) << bytes.substr(0, 80) << answer.body.substr(0, 300);
-        const json& operation = contract().at("paths").at(path).at(method);
+        const nlohmann::json& operation = contract().at("paths").at(path).at(method);
         ASSERT_TRUE(operation["responses"].contains(std::to_string(status)))
             << path << " does not mention " << status;
-        const json& response = resolved(operation["responses"][std::to_string(status)]);
-        const auto headers = response.value("headers", json::object());
+        const nlohmann::json& response = resolved(operation["responses"][std::to_string(status)]);
+        const auto headers = response.value("headers", nlohmann::json::object());
         for (const auto& [name, ignored] : headers.items()) {
             EXPECT_FALSE(answer.header(name).empty()) << path << " lacks " << name;
         }
         const std::string type = answer.header("Content-Type");
         const std::string media = type.substr(0, type.find(';'));
-        const json content = response.value("content", json::object());
+        const nlohmann::json content = response.value("content", nlohmann::json::object());
         if (media.empty()) {
             EXPECT_TRUE(content.empty()) << path;
             return;
         }
         ASSERT_TRUE(content.contains(media)) << path << " does not mention " << media;
         if (media.find("json") == std::string::npos) return;
-        for (const auto& fault : schema_faults(content[media]["schema"], json::parse(answer.body)))
+        for (const auto& fault :
+             schema_faults(content[media]["schema"], nlohmann::json::parse(answer.body)))
             ADD_FAILURE() << path << fault;
     }
 };
@@ -198,14 +200,15 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
 TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
     for (const auto& [path, item] : contract().at("paths").items()) {
         if (!item.contains("get") || path == "/{file}" || !path.starts_with("/v1")) continue;
-        json parameters = item.value("parameters", json::array());
-        for (const json& each : item["get"].value("parameters", json::array())) {
+        nlohmann::json parameters = item.value("parameters", nlohmann::json::array());
+        for (const nlohmann::json& each :
+             item["get"].value("parameters", nlohmann::json::array())) {
             parameters.push_back(each);
         }
         std::string address = std::regex_replace(path, std::regex("\\{id\\}"), "1");
         address = std::regex_replace(address, std::regex("\\{ranker\\}"), "hybrid");
         std::set<std::string> names;
-        for (const json& each : parameters) {
+        for (const nlohmann::json& each : parameters) {
             if (resolved(each)["in"] == "query") names.insert(resolved(each)["name"]);
         }
         for (const char* name : {"a", "b", "limit", "cursor", "ranker", "pose", "size", "class",

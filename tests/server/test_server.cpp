@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "engine/mesh/write_mesh.h"
 #include "index/indexer.h"
 #include "index/store.h"
+#include "tests/index/sample_index.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary::test {
@@ -19,11 +19,6 @@ index::IndexParameters parameters() {
     index::IndexParameters chosen;
     chosen.resolution = 32;
     return chosen;
-}
-
-void write(const fs::path& path, std::string_view text) {
-    std::ofstream out(path, std::ios::binary);
-    out << text;
 }
 
 void index_folder(const fs::path& index, const fs::path& folder,
@@ -69,7 +64,7 @@ struct BuiltIndex {
         fs::create_directory(models);
         ranking::Classification classes;
         for (const BuiltModel& model : built_models()) {
-            write(models / (model.name + ".off"), model.off);
+            write_file(models / (model.name + ".off"), model.off);
             if (classes.classes.empty() || classes.classes.back().name != model.class_name) {
                 classes.classes.push_back({model.class_name, "", {}});
             }
@@ -95,7 +90,7 @@ fs::path copy_of_built_index(const fs::path& folder) {
 void index_model(const fs::path& index, const std::string& name, const std::string& off) {
     const fs::path folder = index.parent_path() / ("more-" + name);
     fs::create_directory(folder);
-    write(folder / (name + ".off"), off);
+    write_file(folder / (name + ".off"), off);
     index_folder(index, folder, {});
 }
 

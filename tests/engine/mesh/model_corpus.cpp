@@ -1,11 +1,14 @@
 #include "tests/engine/mesh/model_corpus.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "engine/mesh/measures.h"
 #include "tests/support/source_folder.h"
 
 namespace ossuary::test {
@@ -51,7 +54,13 @@ ModelCase read_case(const fs::path& path) {
 
 }  // namespace
 
-void PrintTo(const ModelCase& model_case, std::ostream* out) { *out << model_case.name; }
+std::string case_name(const testing::TestParamInfo<FormatCase>& info) {
+    return info.param.format + "_" + info.param.model.name;
+}
+
+void PrintTo(const FormatCase& format_case, std::ostream* out) {
+    *out << format_case.format << "/" << format_case.model.name;
+}
 
 std::vector<ModelCase> model_cases(const std::string& format, const std::string& folder) {
     std::vector<ModelCase> cases;
@@ -64,10 +73,62 @@ std::vector<ModelCase> model_cases(const std::string& format, const std::string&
     return cases;
 }
 
+std::vector<FormatCase> format_cases(const std::vector<std::string>& formats,
+                                     const std::string& folder) {
+    std::vector<FormatCase> cases;
+    for (const std::string& format : formats) {
+        for (ModelCase& model : model_cases(format, folder)) {
+            cases.push_back({format, std::move(model)});
+        }
+    }
+    return cases;
+}
+
 std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings) {
     std::map<std::string, std::size_t> counts;
     for (const mesh::MeshWarning& warning : warnings) counts[warning.code] += warning.count;
     return counts;
+}
+
+void expect_read(const Result<mesh::ReadMeshResult>& read, const ModelCase& expected) {
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->mesh.vertices.size(), expected.vertices);
+    EXPECT_EQ(read->mesh.face_count, expected.faces);
+    EXPECT_EQ(read->mesh.triangles.size(), expected.triangles);
+    EXPECT_EQ(counted(read->warnings), expected.warnings);
+    if (expected.area) {
+        EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *expected.area, 1e-6);
+    }
+    expect_whole(read->mesh);
+}
+
+void expect_refused(const Result<mesh::ReadMeshResult>& read, const ModelCase& expected,
+                    const std::string& name) {
+    ASSERT_FALSE(read);
+    const std::string& message = read.error().message;
+    EXPECT_EQ(to_string(read.error().code), expected.code) << message;
+    for (const std::string& part : expected.says) {
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+    EXPECT_NE(message.find("expected"), std::string::npos) << message;
+    EXPECT_EQ(message.rfind(name, 0), 0u) << message;
+}
+
+void expect_line(const std::string& message, const ModelCase& expected) {
+    const std::string line = "line " + std::to_string(expected.line) + ":";
+    EXPECT_EQ(message.find(line) != std::string::npos, expected.line > 0) << message;
+    for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
+}
+
+void expect_whole(const mesh::TriangleMesh& mesh) {
+    ASSERT_EQ(mesh.face_of_triangle.size(), mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        ASSERT_LT(mesh.face_of_triangle[t], mesh.face_count);
+        for (const std::uint32_t vertex : mesh.triangles[t]) {
+            ASSERT_LT(vertex, mesh.vertices.size());
+        }
+    }
+    for (const Vec3& vertex : mesh.vertices) ASSERT_TRUE(vertex.allFinite());
 }
 
 }  // namespace ossuary::test

@@ -4,37 +4,15 @@
 
 #include <random>
 
-#include "engine/mesh/measures.h"
 #include "index/model_reader.h"
 #include "tests/engine/mesh/model_corpus.h"
 
 namespace ossuary::test {
 namespace {
 
-struct ForeignCase {
-    std::string format;
-    ModelCase model;
-};
+const std::vector<std::string> kFormats = {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"};
 
-void PrintTo(const ForeignCase& foreign_case, std::ostream* out) {
-    *out << foreign_case.format << "/" << foreign_case.model.name;
-}
-
-std::vector<ForeignCase> foreign_cases(const std::string& folder) {
-    std::vector<ForeignCase> cases;
-    for (const std::string format : {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"}) {
-        for (ModelCase& model : model_cases(format, folder)) {
-            cases.push_back({format, std::move(model)});
-        }
-    }
-    return cases;
-}
-
-std::string case_name(const testing::TestParamInfo<ForeignCase>& info) {
-    return info.param.format + "_" + info.param.model.name;
-}
-
-class ForeignCorpus : public testing::TestWithParam<ForeignCase> {
+class ForeignCorpus : public testing::TestWithParam<FormatCase> {
 protected:
     index::ModelReader reader_;
 };
@@ -44,15 +22,8 @@ class ForeignCorpusGood : public ForeignCorpus {};
 TEST_P(ForeignCorpusGood, IsReadAsExpected) {
     const ModelCase& expected = GetParam().model;
     const auto read = reader_.read({expected.bytes, expected.name, {}});
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->mesh.vertices.size(), expected.vertices);
-    EXPECT_EQ(read->mesh.face_count, expected.faces);
-    EXPECT_EQ(read->mesh.triangles.size(), expected.triangles);
-    EXPECT_EQ(counted(read->warnings), expected.warnings);
-    const mesh::MeshMeasures measures = mesh::measure(read->mesh);
-    if (expected.area) {
-        EXPECT_NEAR(measures.surface_area, *expected.area, 1e-6);
-    }
+    expect_read(read, expected);
+    ASSERT_TRUE(read);
     EXPECT_GT(read->metres_per_unit, 0.0);
     EXPECT_TRUE(read->up);
 }
@@ -84,25 +55,17 @@ TEST_P(ForeignCorpusGood, GivesACodedErrorOrAMeshWhereItIsCutOrDamaged) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood, testing::ValuesIn(foreign_cases("ok")),
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood, testing::ValuesIn(format_cases(kFormats, "ok")),
                          case_name);
 
 class ForeignCorpusBad : public ForeignCorpus {};
 
 TEST_P(ForeignCorpusBad, IsRefusedAsExpected) {
     const ModelCase& expected = GetParam().model;
-    const auto read = reader_.read({expected.bytes, "folder/model", {}});
-    ASSERT_FALSE(read);
-    const std::string& message = read.error().message;
-    EXPECT_EQ(to_string(read.error().code), expected.code) << message;
-    for (const std::string& part : expected.says) {
-        EXPECT_NE(message.find(part), std::string::npos) << message;
-    }
-    EXPECT_NE(message.find("expected"), std::string::npos) << message;
-    EXPECT_EQ(message.rfind("folder/model", 0), 0u) << message;
+    expect_refused(reader_.read({expected.bytes, "folder/model", {}}), expected, "folder/model");
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad, testing::ValuesIn(foreign_cases("bad")),
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad, testing::ValuesIn(format_cases(kFormats, "bad")),
                          case_name);
 
 }  // namespace
