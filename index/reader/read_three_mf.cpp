@@ -15,6 +15,7 @@
 #include "index/reader/beam_lattice.h"
 #include "index/reader/scene_builder.h"
 #include "index/reader/three_mf_extensions.h"
+#include "index/reader/three_mf_package.h"
 
 namespace ossuary::index {
 namespace {
@@ -74,6 +75,7 @@ public:
 
 private:
     Result<void> open(std::string_view bytes);
+    Result<void> open_package(std::string_view bytes);
     Result<void> hear_warnings(Handle* reader);
     Result<void> add_items();
     Result<void> add_item(Handle* item);
@@ -87,13 +89,27 @@ private:
 
     const mesh::ReadMeshOptions& caps_;
     SceneBuilder scene_;
+    std::string trimmed_;  ///< the package, where it is not the file's
     Instance model_;
-    std::size_t unclipped_ = 0;  ///< beams
+    std::size_t unclipped_ = 0;           ///< beams
     std::vector<Vec3> vertices_;          ///< of a mesh
     std::vector<std::uint32_t> numbers_;  ///< in the scene, of the vertices that are placed
 };
 
 Result<void> ThreeMfReader::open(std::string_view bytes) {
+    Result<void> opened = open_package(bytes);
+    if (opened || opened.error().code != ErrorCode::kThreeMfInvalid) return opened;
+    // What lies beside the model is no reason to refuse it.
+    auto trimmed = trim_package(bytes);
+    if (!trimmed) return opened;
+    trimmed_ = std::move(trimmed->bytes);
+    if (!open_package(trimmed_)) return opened;
+    scene_.warn("relations_skipped", trimmed->dropped,
+                mesh::plural(trimmed->dropped, "relation") + " to what is not the model");
+    return {};
+}
+
+Result<void> ThreeMfReader::open_package(std::string_view bytes) {
     model_ = made_by([](auto** made) { return NMR::lib3mf_createmodel(made); });
     if (!model_) return {ErrorCode::kReaderMemory, "expected memory for a model, found none"};
     const Instance reader = made_by(
@@ -165,8 +181,8 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
     std::vector<NMR::MODELMESHTRIANGLE> faces(triangles);
     if ((vertices > 0 && NMR::lib3mf_meshobject_getvertices(object, positions.data(), vertices,
                                                             nullptr) != LIB3MF_OK) ||
-        (triangles > 0 && NMR::lib3mf_meshobject_gettriangleindices(
-                              object, faces.data(), triangles, nullptr) != LIB3MF_OK)) {
+        (triangles > 0 && NMR::lib3mf_meshobject_gettriangleindices(object, faces.data(), triangles,
+                                                                    nullptr) != LIB3MF_OK)) {
         return library_error(object, "taking a mesh");
     }
     vertices_.clear();
