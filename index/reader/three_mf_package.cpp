@@ -79,8 +79,8 @@ std::optional<std::string> all_of(zip_source_t* source) {
     return bytes;
 }
 
-/// The archive with some of its members replaced. Written anew: changed in place, libzip 1.7.3 frees
-/// memory twice where what comes first stays as it is.
+/// The archive with some of its members replaced. Written anew: changed in place, libzip 1.7.3
+/// frees memory twice where what comes first stays as it is.
 std::optional<std::string> rewritten(std::string_view package,
                                      const std::vector<Replacement>& replacements) {
     zip_source_t* old_bytes = zip_source_buffer_create(package.data(), package.size(), 0, nullptr);

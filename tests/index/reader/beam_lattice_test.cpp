@@ -38,8 +38,8 @@ TEST(BeamLattice, HasTheVolumeOfItsSolids) {
     EXPECT_NEAR(volume(nodes, {strut(BeamCap::kButt, 1, 2)}), kPi * 5 * (1 + 2 + 4) / 3, 1e-9);
     EXPECT_NEAR(volume(nodes, {strut(BeamCap::kHemisphere, 1, 1)}), kPi * 5 + ball(1), 0.1);
     // Balls are surfaces of their own, which overlap the strut's.
-    EXPECT_NEAR(volume(nodes, {strut(BeamCap::kSphere, 1, 2)}),
-                kPi * 5 * 7 / 3 + ball(1) + ball(2), 0.8);
+    EXPECT_NEAR(volume(nodes, {strut(BeamCap::kSphere, 1, 2)}), kPi * 5 * 7 / 3 + ball(1) + ball(2),
+                0.8);
 }
 
 TEST(BeamLattice, HasOneBallANodeTheLargest) {
@@ -69,8 +69,7 @@ TEST(BeamLattice, TakesFewerSidesWhereThereAreManyAndRefusesTooMany) {
     EXPECT_EQ(beam_lattice_surface(nodes, many, {})->triangles.size(), many.size() * 24);
     mesh::ReadMeshOptions caps;
     caps.max_faces = 100'000;
-    EXPECT_EQ(beam_lattice_surface(nodes, many, caps).error().code,
-              ErrorCode::kModelTooManyFaces);
+    EXPECT_EQ(beam_lattice_surface(nodes, many, caps).error().code, ErrorCode::kModelTooManyFaces);
     caps = {};
     caps.max_vertices = 100'000;
     EXPECT_EQ(beam_lattice_surface(nodes, many, caps).error().code,

@@ -22,7 +22,9 @@ void PrintTo(const ForeignCase& foreign_case, std::ostream* out) {
 
 std::vector<ForeignCase> foreign_cases(const std::string& folder) {
     std::vector<ForeignCase> cases;
-    for (const std::string format : {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"}) {
+    std::vector<std::string> formats = {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"};
+    if (OSSUARY_READS_CAD) formats.insert(formats.end(), {"step", "iges"});
+    for (const std::string& format : formats) {
         for (ModelCase& model : model_cases(format, folder)) {
             cases.push_back({format, std::move(model)});
         }

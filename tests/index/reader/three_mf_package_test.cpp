@@ -39,8 +39,9 @@ std::string package(const std::string& root, const std::string& of_part = "") {
          R"(<Default Extension="png" ContentType="image/png"/><Default Extension="model" )"
          R"(ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)"},
         {"_rels/.rels", relations(root)},
-        {"3D/part.model", test::three_mf_part(test::three_mf_object(test::box_mesh(Vec3::Zero(), Vec3::Ones())),
-                                              R"(<item objectid="1"/>)")}};
+        {"3D/part.model",
+         test::three_mf_part(test::three_mf_object(test::box_mesh(Vec3::Zero(), Vec3::Ones())),
+                             R"(<item objectid="1"/>)")}};
     if (!of_part.empty()) members.emplace_back("3D/_rels/part.model.rels", relations(of_part));
     const auto bytes = read_whole_file(test::write_zip(folder.path() / "a.3mf", members));
     return std::string(bytes->view());
@@ -80,11 +81,11 @@ TEST(ThreeMfPackage, LosesTheRelationsOfAPartToPrintTicketsAndToWhatIsNotThere) 
 
 TEST(ThreeMfPackage, IsReadWithoutTheThumbnailThatItNames) {
     ModelReader reader;
-    const std::string bytes =
-        package(kModel + relation("/Metadata/thumbnail.png", kThumbnailType));
+    const std::string bytes = package(kModel + relation("/Metadata/thumbnail.png", kThumbnailType));
     const auto read = reader.read({bytes, "a.3mf", {}});
     ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(read->mesh.triangles.size(), test::box_mesh(Vec3::Zero(), Vec3::Ones()).triangles.size());
+    EXPECT_EQ(read->mesh.triangles.size(),
+              test::box_mesh(Vec3::Zero(), Vec3::Ones()).triangles.size());
     ASSERT_EQ(read->warnings.size(), 1u);
     EXPECT_EQ(read->warnings[0].code, "relations_skipped");
 }
