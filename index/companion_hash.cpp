@@ -77,7 +77,9 @@ bool is_image(std::string_view name) {
 
 /// The string that stands as a value at `at`, behind a colon; where it ends goes into `at`.
 std::string_view string_value(std::string_view json, std::size_t& at) {
-    const auto skip_blanks = [&] { at = std::min(json.find_first_not_of(kBlanks, at), json.size()); };
+    const auto skip_blanks = [&] {
+        at = std::min(json.find_first_not_of(kBlanks, at), json.size());
+    };
     skip_blanks();
     if (at >= json.size() || json[at] != ':') return {};
     ++at;

@@ -82,6 +82,15 @@ fs::path beside_this_program() {
     return fs::read_symlink("/proc/self/exe", error).parent_path() / "ossuary-read";
 }
 
+/// A program of its own, since OpenCASCADE alone takes 40 ms to load. Where it was not built, the
+/// other one says so.
+fs::path cad_program(const fs::path& program) {
+    fs::path beside = program;
+    beside += "-cad";
+    std::error_code error;
+    return fs::exists(beside, error) ? beside : program;
+}
+
 }  // namespace
 
 ModelReader::ModelReader() : ModelReader(Options{}) {}
@@ -295,7 +304,9 @@ Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
     if (!is_foreign(format) || !fits) {
         return voxel::read_model(source.bytes, source.name, options, stop);
     }
-    auto process = take();
+    const bool is_cad = format == mesh::ModelFormat::kStep || format == mesh::ModelFormat::kIges;
+    auto process =
+        is_cad ? ReaderProcess::start(cad_program(options_.program), options_.limits) : take();
     if (!process) return process.error();
     std::uint64_t left = options.mesh.max_bytes;
     const GiveFile give = [&](std::string_view name) -> Result<OwnedDescriptor> {
@@ -308,7 +319,7 @@ Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
         return opened;
     };
     auto read = (*process)->read({format, options.mesh}, source.bytes, give, stop);
-    give_back(*std::move(process));
+    if (!is_cad) give_back(*std::move(process));
     if (!read) return named(std::move(read), source.name);
     return mesh::finish_reading(*std::move(read), source.name, options.mesh, stop);
 }

@@ -16,7 +16,8 @@ IgesFile::~IgesFile() { bytes_of_model = {}; }
 
 }  // namespace ossuary::index
 
-/// What OpenCASCADE's reader of IGES opens files with; the program's own comes before the library's.
+/// What OpenCASCADE's reader of IGES opens files with; the program's own comes before the
+/// library's.
 extern "C" std::FILE* OSD_OpenFile(const char* name, const char* mode) {
     using namespace ossuary::index;
     if (std::string_view(name) != kIgesFile || bytes_of_model.empty()) {

@@ -186,10 +186,10 @@ Result<mesh::ReadMeshResult> read_cad(std::string_view bytes, mesh::ModelFormat 
         return CadReader(caps).read(bytes, format);
     } catch (const Standard_Failure& failure) {
         const char* why = failure.GetMessageString();
-        return invalid(format, "one that cannot be used: " +
-                                   std::string(why == nullptr || *why == '\0'
-                                                   ? failure.DynamicType()->Name()
-                                                   : why));
+        return invalid(
+            format,
+            "one that cannot be used: " +
+                std::string(why == nullptr || *why == '\0' ? failure.DynamicType()->Name() : why));
     }
 }
 

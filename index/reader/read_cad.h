@@ -16,8 +16,7 @@ inline constexpr double kCadAngle = 0.3;
 /// STEP (AP203, AP214, AP242) and IGES by OpenCASCADE: all roots, cut into triangles, in
 /// millimetres; each solid is an object (of STEP with the name of its entity), and so is what lies
 /// in none.
-/// Errors: scene_invalid; format_unsupported where the program was built without OpenCASCADE;
-/// model_…
+/// Errors: scene_invalid; model_…; format_unsupported in ossuary-read (no_cad.cpp).
 Result<mesh::ReadMeshResult> read_cad(std::string_view bytes, mesh::ModelFormat format,
                                       const mesh::ReadMeshOptions& caps);
 

@@ -18,7 +18,8 @@ using ::testing::HasSubstr;
 /// A bar of label 1 below a ring of label 2; 0 elsewhere.
 int label_at(const Vec3i& at) {
     const double across = std::hypot(at.x() - 20.0, at.y() - 20.0);
-    if (at.z() >= 3 && at.z() < 9 && at.x() >= 3 && at.x() < 37 && std::abs(at.y() - 20) < 3) return 1;
+    if (at.z() >= 3 && at.z() < 9 && at.x() >= 3 && at.x() < 37 && std::abs(at.y() - 20) < 3)
+        return 1;
     return std::hypot(across - 12.0, at.z() - 18.0) < 4.0 ? 2 : 0;
 }
 
@@ -56,8 +57,8 @@ TEST_F(Volumes, AreWhatTheLabelOrTheThresholdSays) {
     EXPECT_EQ(found.json().at("warnings")[0].at("code"), "volume_inside");
     const ProgramResult cut = run({"segment", labels(), "--json", "--label", "1"});
     EXPECT_EQ(cut.exit_status, 0) << cut.err;
-    const ProgramResult same =
-        run({"compare", labels(), folder_.path() / "models/packed.nrrd.gz", "--label", "2", "--json"});
+    const ProgramResult same = run(
+        {"compare", labels(), folder_.path() / "models/packed.nrrd.gz", "--label", "2", "--json"});
     ASSERT_EQ(same.exit_status, 0) << same.err;
     EXPECT_NEAR(same.json().at("distance").get<double>(), 0.0, 1e-9);
 }
@@ -79,8 +80,13 @@ TEST_F(Volumes, AreRefusedWhereNothingIsInsideOrTheQuestionIsNone) {
 
 TEST_F(Volumes, AreIndexedAnewWhereAnotherAnswerIsGiven) {
     const auto index = [&](const std::vector<std::string>& options) {
-        std::vector<std::string> arguments = {"index", "--index", index_file(), "--resolution",
-                                              "24",    "--json",  folder_.path() / "models"};
+        std::vector<std::string> arguments = {"index",
+                                              "--index",
+                                              index_file(),
+                                              "--resolution",
+                                              "24",
+                                              "--json",
+                                              folder_.path() / "models"};
         arguments.insert(arguments.end(), options.begin(), options.end());
         const ProgramResult result = run(arguments);
         EXPECT_EQ(result.exit_status, 0) << result.err;
@@ -90,10 +96,12 @@ TEST_F(Volumes, AreIndexedAnewWhereAnotherAnswerIsGiven) {
     EXPECT_EQ(index({"--label", "1"}), std::pair(2, 0));
     EXPECT_EQ(index({"--label", "1"}), std::pair(0, 2));
     EXPECT_EQ(index({"--label", "2"}), std::pair(2, 0));
-    const ProgramResult ring = run({"search", "--index", index_file(), labels(), "--label", "2", "--json"});
+    const ProgramResult ring =
+        run({"search", "--index", index_file(), labels(), "--label", "2", "--json"});
     ASSERT_EQ(ring.exit_status, 0) << ring.err;
     EXPECT_NEAR(ring.json().at("hits")[0].at("distance").get<double>(), 0.0, 1e-6);
-    const ProgramResult bar = run({"search", "--index", index_file(), labels(), "--label", "1", "--json"});
+    const ProgramResult bar =
+        run({"search", "--index", index_file(), labels(), "--label", "1", "--json"});
     EXPECT_GT(bar.json().at("hits")[0].at("distance").get<double>(), 0.1);
     EXPECT_EQ(index({}), std::pair(2, 0));
 }

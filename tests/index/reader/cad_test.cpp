@@ -15,9 +15,7 @@
 namespace ossuary::index {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-std::filesystem::path corpus(const std::string& file) {
+std::filesystem::path cad_file(const std::string& file) {
     return test::source_folder() / "tests/corpus" / file;
 }
 
@@ -41,9 +39,9 @@ TEST(CadFiles, AreToldByTheirContents) {
 
 #if OSSUARY_READS_CAD
 
-mesh::ReadMeshResult read(const std::string& file) {
+mesh::ReadMeshResult read_cad_file(const std::string& file) {
     ModelReader reader;
-    auto result = reader.read(corpus(file));
+    auto result = reader.read(cad_file(file));
     EXPECT_TRUE(result) << result.error().message;
     return result ? *std::move(result) : mesh::ReadMeshResult{};
 }
@@ -51,14 +49,14 @@ mesh::ReadMeshResult read(const std::string& file) {
 TEST(CadFiles, AreCutIntoTrianglesAsFinelyAsIsSaid) {
     for (const char* file : {"step/solids/cylinder.step", "iges/solids/cylinder_in_inches.iges"}) {
         SCOPED_TRACE(file);
-        const auto model = read(file);
+        const auto model = read_cad_file(file);
         const mesh::MeshMeasures measures = mesh::measure(model.mesh);
         EXPECT_NEAR(measures.bounds.sizes().z(), 20.0, 1e-6);
         // A regular polygon of sides that lie no further from the circle than is allowed.
         const double diagonal = std::sqrt(10.0 * 10.0 * 2 + 20.0 * 20.0);
         const double least = 5.0 - 1e-3 * diagonal;
-        EXPECT_GT(measures.signed_volume, kPi * least * least * 20.0);
-        EXPECT_LE(measures.signed_volume, kPi * 25.0 * 20.0);
+        EXPECT_GT(measures.signed_volume, std::numbers::pi * least * least * 20.0);
+        EXPECT_LE(measures.signed_volume, std::numbers::pi * 25.0 * 20.0);
         EXPECT_LT(model.mesh.triangles.size(), 1000u);
         EXPECT_EQ(mesh::connected_components(model.mesh).count, 1u);
         EXPECT_TRUE(model.warnings.empty());
@@ -67,21 +65,21 @@ TEST(CadFiles, AreCutIntoTrianglesAsFinelyAsIsSaid) {
 }
 
 TEST(CadFiles, KeepTheirSolidsApartAndNamed) {
-    const auto step = read("step/solids/two_solids.step");
+    const auto step = read_cad_file("step/solids/two_solids.step");
     EXPECT_EQ(mesh::object_names(step.objects), (std::vector<std::string>{"Plate", "Knob"}));
-    for (const auto& model : {step, read("iges/solids/two_solids.iges")}) {
+    for (const auto& model : {step, read_cad_file("iges/solids/two_solids.iges")}) {
         ASSERT_EQ(model.objects.size(), 2u);
         const auto first = mesh::measure(mesh::object_mesh(model.mesh, model.objects[0]));
         const auto second = mesh::measure(mesh::object_mesh(model.mesh, model.objects[1]));
         EXPECT_NEAR(first.signed_volume, 6000.0, 1e-6);
         EXPECT_NEAR(first.bounds.min().x(), 1.0, 1e-6);
         EXPECT_NEAR(second.bounds.center().x(), 100.0, 0.2);
-        EXPECT_GT(second.signed_volume, 0.98 * kPi * 25.0 * 20.0);
+        EXPECT_GT(second.signed_volume, 0.98 * std::numbers::pi * 25.0 * 20.0);
     }
 }
 
 TEST(CadFiles, PlaceASolidThatIsThereTwice) {
-    const auto model = read("step/solids/one_solid_twice.step");
+    const auto model = read_cad_file("step/solids/one_solid_twice.step");
     ASSERT_EQ(model.objects.size(), 2u);
     const auto second = mesh::measure(mesh::object_mesh(model.mesh, model.objects[1]));
     const auto both = mesh::measure(model.mesh);
@@ -93,7 +91,7 @@ TEST(CadFiles, EndNoProcessWhereManyAreReadOneAfterTheOther) {
     ModelReader reader;
     for (int i = 0; i < 5; ++i) {
         for (const char* file : {"step/ok/box.step", "iges/ok/box.iges", "step/bad/cut_off.step"}) {
-            const auto result = reader.read(corpus(file));
+            const auto result = reader.read(cad_file(file));
             if (std::string_view(file).find("bad") == std::string_view::npos) {
                 EXPECT_TRUE(result) << result.error().message;
             } else {
@@ -107,7 +105,7 @@ TEST(CadFiles, EndNoProcessWhereManyAreReadOneAfterTheOther) {
 
 TEST(CadFiles, AreRefusedByNameWithoutOpenCascade) {
     ModelReader reader;
-    const auto result = reader.read(corpus("step/ok/box.step"));
+    const auto result = reader.read(cad_file("step/ok/box.step"));
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kFormatUnsupported);
     EXPECT_NE(result.error().message.find("OpenCASCADE"), std::string::npos);

@@ -66,7 +66,8 @@ TEST(ReferredFiles, AreThoseOfTheDocumentsNumbers) {
     EXPECT_EQ(in(R"({"uri":"a.bin","byteLength":3},{ "uri" : "b/c%20d.bin" },{"uri":"a.bin"})"),
               (Names{"a.bin", "b/c d.bin"}));
     EXPECT_EQ(in(R"({"uri":"q\u0041\/\"x.bin"})"), Names{"qA/\"x.bin"});
-    EXPECT_EQ(in(R"({"uri":"data:application/octet-stream;base64,AA=="},{"uri":"a.PNG"})"), Names{});
+    EXPECT_EQ(in(R"({"uri":"data:application/octet-stream;base64,AA=="},{"uri":"a.PNG"})"),
+              Names{});
     EXPECT_EQ(in(R"({"name":"uri"},{"uri":3},{"uri")"), Names{});
     EXPECT_EQ(referred_files("OFF \"uri\":\"a.bin\""), Names{});
     EXPECT_EQ(referred_files(""), Names{});
@@ -78,7 +79,8 @@ TEST(ReferredFiles, AreThoseOfTheDocumentsNumbers) {
 
 TEST_F(ChangingFiles, AreIndexedAnewWhereOnlyWhatTheyReferToHasChanged) {
     const auto tree = test::to_separate_gltf(test::capsule_tree_mesh(), "numbers%20of%20it.bin");
-    const auto larger = test::to_separate_gltf(test::capsule_tree_mesh(2.0), "numbers%20of%20it.bin");
+    const auto larger =
+        test::to_separate_gltf(test::capsule_tree_mesh(2.0), "numbers%20of%20it.bin");
     ASSERT_EQ(tree.document, larger.document);
     write("tree.gltf", tree.document);
     auto outcome = index();
