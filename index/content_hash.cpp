@@ -20,9 +20,8 @@ std::string content_hash(std::string_view bytes) {
     return text;
 }
 
-std::string content_hash(std::string_view bytes, std::string_view object) {
-    const std::string whole = content_hash(bytes);
-    return object.empty() ? whole : content_hash(whole + "#" + std::string(object));
+std::string object_hash(std::string_view file_hash, std::string_view object) {
+    return content_hash(std::string(file_hash) + "#" + std::string(object));
 }
 
 bool is_content_hash(std::string_view text) {

@@ -9,8 +9,8 @@ namespace ossuary::index {
 /// `xxh128sum` prints. Tells contents apart; no defence against forgery.
 [[nodiscard]] std::string content_hash(std::string_view bytes);
 
-/// The same for one object of a file (ModelPlace); the file's own where that is empty.
-[[nodiscard]] std::string content_hash(std::string_view bytes, std::string_view object);
+/// For one object of a file (ModelPlace) that has a hash.
+[[nodiscard]] std::string object_hash(std::string_view file_hash, std::string_view object);
 
 /// True for 32 lower-case hexadecimal digits.
 [[nodiscard]] bool is_content_hash(std::string_view text);

@@ -1,12 +1,16 @@
 #include "index/describe_model.h"
 
+#include <fmt/format.h>
+
 #include <exception>
 #include <new>
 
+#include "engine/core/inflate.h"
 #include "engine/descriptor/describe.h"
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
 #include "engine/voxel/read_model.h"
+#include "index/companion_hash.h"
 #include "index/content_hash.h"
 #include "index/model_segments.h"
 #include "index/turn_model.h"
@@ -31,10 +35,12 @@ Up up_of(const mesh::ReadMeshResult& read, const mesh::TriangleMesh& coarse) {
 
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
                                   std::stop_token stop) {
-    auto read = source.reader == nullptr
-                    ? voxel::read_model(source.bytes, source.name, {}, stop)
-                    : source.reader->read(
-                          {source.bytes, source.name, source.companions, source.object}, {}, stop);
+    const voxel::ReadModelOptions options{.inside = source.inside};
+    auto read =
+        source.reader == nullptr
+            ? voxel::read_model(source.bytes, source.name, options, stop)
+            : source.reader->read({source.bytes, source.name, source.companions, source.object},
+                                  options, stop);
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);
@@ -43,7 +49,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
 
     NewModel model;
     const mesh::MeshMeasures measures = mesh::measure(mesh);
-    model.summary.content_hash = content_hash(source.bytes, source.object);
+    model.summary.content_hash = model_hash(source);
     model.summary.vertices = static_cast<std::uint32_t>(mesh.vertices.size());
     model.summary.faces = mesh.face_count;
     model.summary.bounds = measures.bounds;
@@ -72,6 +78,17 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
 }
 
 }  // namespace
+
+std::string model_hash(const ModelSource& source) {
+    const voxel::InsideOptions& inside = source.inside;
+    std::string hash = hash_with_companions(source.bytes, source.companions);
+    if (!source.object.empty()) hash = object_hash(hash, source.object);
+    const bool may_be_volume =
+        voxel::looks_like_volume(source.bytes) || looks_like_gzip(source.bytes);
+    if (inside == voxel::InsideOptions{} || !may_be_volume) return hash;
+    return content_hash(inside.label ? fmt::format("{} label {}", hash, *inside.label)
+                                     : fmt::format("{} threshold {}", hash, *inside.threshold));
+}
 
 Result<NewModel> describe_model(const ModelSource& source, const IndexParameters& parameters,
                                 std::stop_token stop) {

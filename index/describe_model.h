@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 
 #include "engine/core/result.h"
@@ -17,9 +18,15 @@ struct ModelSource {
     std::optional<Up> up = {};  ///< as a person has said; none = the file's, or found
     /// Reads it; null = formats that are read within the program alone.
     ModelReader* reader = nullptr;
-    Companions companions = {};    ///< files that it refers to; none = it stands alone
-    std::string_view object = {};  ///< of the file, that is meant; empty = all of it
+    Companions companions = {};        ///< files that it refers to; none = it stands alone
+    std::string_view object = {};      ///< of the file, that is meant; empty = all of it
+    voxel::InsideOptions inside = {};  ///< as a person has said of a volume
 };
+
+/// Tells models apart: content_hash of the file with those that it refers to (companion_hash.h) and
+/// of the object, and for a volume (also within gzip data) of what was said to be inside it, if
+/// anything was.
+[[nodiscard]] std::string model_hash(const ModelSource& source);
 
 /// From a model file to all that an index keeps of it. The summary's path, name and class are left
 /// to the caller. What only viewers ask for may be missing, with a warning: the thumbnail, and the

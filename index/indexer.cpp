@@ -1,6 +1,7 @@
 #include "index/indexer.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "engine/core/parallel.h"
@@ -8,8 +9,8 @@
 #include "engine/core/text.h"
 #include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
-#include "index/content_hash.h"
 #include "index/describe_model.h"
+#include "index/file_stamp.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
 #include "index/model_timer.h"
@@ -55,7 +56,10 @@ public:
 
 private:
     FileOutcome process(const fs::path& path);
-    FileOutcome describe_file(const fs::path& path, const ModelBytes& file, std::optional<Up> up);
+    FileOutcome look_at(const fs::path& path);
+    [[nodiscard]] ModelSource source_of(const ModelBytes& file, std::optional<Up> up) const;
+    FileOutcome describe_file(const fs::path& path, const ModelBytes& file, const std::string& hash,
+                              std::optional<Up> up);
     Result<ModelBytes> open(const fs::path& path);
     bool consume(const fs::path& path, FileOutcome outcome);
     void put(const fs::path& path, NewModel model);
@@ -84,6 +88,8 @@ private:
     ModelTimer timer_;
     std::vector<fs::path> roots_;
     FoundFiles found_;
+    /// As they were when they were asked what is in them.
+    std::map<std::string, std::optional<FileStamp>> listed_;
     std::vector<std::string> paths_before_;  ///< of all models, where pruning asks for them
     std::map<std::string, std::string> classes_;
     std::vector<Change> pending_;
@@ -96,9 +102,31 @@ private:
     std::size_t skipped_before_work_ = 0;
 };
 
+Error changed_meanwhile(const fs::path& path) {
+    return {ErrorCode::kFileUnreadable,
+            path.string() +
+                ": expected a file that stays as it is while it is indexed, found it "
+                "written to; the next run takes it as it is then"};
+}
+
 FileOutcome IndexRun::process(const fs::path& path) {
+    if (stop_.stop_requested()) return {};
+    const fs::path file = place_of(path).file;
+    const auto listed = listed_.find(file.native());
+    const auto before = listed == listed_.end() ? stamp_of(file) : listed->second;
+    FileOutcome outcome = look_at(path);
+    const bool was_used =
+        outcome.kind == FileOutcome::Kind::kDescribed || outcome.kind == FileOutcome::Kind::kFailed;
+    if (was_used && stamp_of(file) != before) {
+        outcome = {};
+        outcome.kind = FileOutcome::Kind::kFailed;
+        outcome.error = changed_meanwhile(path);
+    }
+    return outcome;
+}
+
+FileOutcome IndexRun::look_at(const fs::path& path) {
     FileOutcome outcome;
-    if (stop_.stop_requested()) return outcome;
     if (store_.owns(path)) {
         outcome.kind = FileOutcome::Kind::kFailed;
         outcome.error = {ErrorCode::kFormatUnknown, path.string() + ": is the index itself"};
@@ -110,7 +138,7 @@ FileOutcome IndexRun::process(const fs::path& path) {
         outcome.error = file.error();
         return outcome;
     }
-    outcome.content_hash = content_hash(file->bytes.view(), file->object);
+    outcome.content_hash = model_hash(source_of(*file, {}));
     auto work = store_.claim_work(path.string(), outcome.content_hash);
     if (!work) {
         outcome.kind = FileOutcome::Kind::kBroken;
@@ -132,7 +160,7 @@ FileOutcome IndexRun::process(const fs::path& path) {
     } else {
         const bool was_told = work->earlier && work->earlier->orientation.said_by_person;
         return describe_file(
-            path, *file,
+            path, *file, outcome.content_hash,
             was_told && !options_.up ? std::optional(work->earlier->orientation.up) : options_.up);
     }
     outcome.models = std::move(work->models);
@@ -160,14 +188,26 @@ Result<ModelBytes> IndexRun::open(const fs::path& path) {
     return ModelBytes{*std::move(bytes), path.string(), {}, {}};
 }
 
+ModelSource IndexRun::source_of(const ModelBytes& file, std::optional<Up> up) const {
+    return {file.bytes.view(), file.name,      up, options_.reader, file.companions,
+            file.object,       options_.inside};
+}
+
+/// @param hash  model_hash before anything of the file was used
 FileOutcome IndexRun::describe_file(const fs::path& path, const ModelBytes& file,
-                                    std::optional<Up> up) {
+                                    const std::string& hash, std::optional<Up> up) {
     FileOutcome outcome;
-    outcome.content_hash = content_hash(file.bytes.view(), file.object);
+    outcome.content_hash = hash;
     const ModelTimer::Watch watch(timer_, stop_);
-    auto model = describe_model(
-        {file.bytes.view(), file.name, up, options_.reader, file.companions, file.object},
-        store_.parameters(), watch.token());
+    const ModelSource source = source_of(file, up);
+    auto model = describe_model(source, store_.parameters(), watch.token());
+    // With files that were written meanwhile it would be half of one state and half of the other.
+    if (model ? model->summary.content_hash != hash : model_hash(source) != hash) {
+        outcome.kind = FileOutcome::Kind::kFailed;
+        outcome.content_hash.clear();
+        outcome.error = changed_meanwhile(path);
+        return outcome;
+    }
     // An interrupted run leaves no model behind that is short of its parts.
     if (stop_.stop_requested() && (!model || !model->segments)) return outcome;
     if (model) {
@@ -261,7 +301,8 @@ void IndexRun::move(const fs::path& path, FileOutcome outcome) {
     // Another path of this run has taken the model's place.
     const auto file = open(path);
     if (!file) return fail(path, "", file.error());
-    FileOutcome described = describe_file(path, *file, options_.up);
+    FileOutcome described =
+        describe_file(path, *file, model_hash(source_of(*file, {})), options_.up);
     if (described.kind == FileOutcome::Kind::kDescribed) {
         put(path, std::move(described.model));
     } else if (described.kind == FileOutcome::Kind::kFailed) {
@@ -322,6 +363,9 @@ Result<void> IndexRun::find_files() {
     if (!found) return found.error();
     found_ = *std::move(found);
     if (options_.reader != nullptr) {
+        for (const fs::path& file : found_.files) {
+            if (options_.split || is_archive_name(file)) listed_[file.native()] = stamp_of(file);
+        }
         auto opened = open_archives(found_, roots_, options_.walk, *options_.reader, stop_);
         if (opened && options_.split) {
             sink_.phase("looking for objects in " + std::to_string(found_.files.size()) + " files");
@@ -415,8 +459,8 @@ Result<IndexOutcome> index_models(Store& store, const IndexOptions& options, Pro
 
 Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParameters& parameters,
                                  std::stop_token stop, ModelReader* reader) {
-    auto model =
-        describe_model({upload.bytes, upload.name, {}, reader}, parameters, std::move(stop));
+    auto model = describe_model({upload.bytes, upload.name, {}, reader, {}, {}, upload.inside},
+                                parameters, std::move(stop));
     if (!model) return model;
     model->summary.name = clean_name(upload.name);
     model->summary.class_name = upload.class_name;

@@ -42,6 +42,9 @@ struct IndexOptions {
     std::optional<Up> up;
     /// Reads the files; null = formats that are read within the program alone.
     ModelReader* reader = nullptr;
+    /// What is inside volumes; none = found (voxel::volume_surface). Volumes that were indexed with
+    /// another answer are described anew.
+    voxel::InsideOptions inside;
     /// Each object of a file that tells several apart is a model of its own, placed as in the file.
     bool split = false;
     bool retry_failed = false;  ///< try again what failed before, though its bytes are the same

@@ -16,7 +16,7 @@
 #include "engine/mesh/recognise_format.h"
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/read_model.h"
-#include "index/content_hash.h"
+#include "index/companion_hash.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
 
@@ -82,6 +82,15 @@ fs::path beside_this_program() {
     return fs::read_symlink("/proc/self/exe", error).parent_path() / "ossuary-read";
 }
 
+/// A program of its own, since OpenCASCADE alone takes 40 ms to load. Where it was not built, the
+/// other one says so.
+fs::path cad_program(const fs::path& program) {
+    fs::path beside = program;
+    beside += "-cad";
+    std::error_code error;
+    return fs::exists(beside, error) ? beside : program;
+}
+
 }  // namespace
 
 ModelReader::ModelReader() : ModelReader(Options{}) {}
@@ -95,7 +104,8 @@ ModelReader::ModelReader(Options options)
 bool ModelReader::is_foreign(mesh::ModelFormat format) {
     using enum mesh::ModelFormat;
     return format == kThreeMf || format == kGltfText || format == kGltfBinary ||
-           format == kCollada || format == kX3d || format == kAmf || format == kFbx;
+           format == kCollada || format == kX3d || format == kAmf || format == kFbx ||
+           format == kStep || format == kIges;
 }
 
 Result<std::unique_ptr<ReaderProcess>> ModelReader::take() {
@@ -220,23 +230,23 @@ Result<ArchiveModels> ModelReader::list_archive(const fs::path& path, const std:
 }
 
 Result<mesh::ReadMeshResult> ModelReader::read(const fs::path& path,
-                                               const mesh::ReadMeshOptions& caps,
+                                               const voxel::ReadModelOptions& options,
                                                const std::stop_token& stop) {
-    const auto model = open(path, caps.max_bytes, stop);
+    const auto model = open(path, options.mesh.max_bytes, stop);
     if (!model) return model.error();
-    return read(Source{model->bytes.view(), model->name, model->companions, model->object}, caps,
+    return read(Source{model->bytes.view(), model->name, model->companions, model->object}, options,
                 stop);
 }
 
 Result<ModelReader::WholeModel> ModelReader::read_to_split(const Source& source,
-                                                           const mesh::ReadMeshOptions& caps,
+                                                           const voxel::ReadModelOptions& options,
                                                            const std::stop_token& stop) {
-    const std::string hash = content_hash(source.bytes);
+    const std::string hash = hash_with_companions(source.bytes, source.companions);
     {
         const Lock lock(mutex_);
         if (split_ != nullptr && split_hash_ == hash) return split_;
     }
-    auto read_all = read({source.bytes, source.name, source.companions, {}}, caps, stop);
+    auto read_all = read({source.bytes, source.name, source.companions, {}}, options, stop);
     if (!read_all) return read_all.error();
     auto whole = std::make_shared<const mesh::ReadMeshResult>(*std::move(read_all));
     const Lock lock(mutex_);
@@ -246,20 +256,20 @@ Result<ModelReader::WholeModel> ModelReader::read_to_split(const Source& source,
 }
 
 Result<std::vector<std::string>> ModelReader::list_objects(const fs::path& path,
-                                                           const mesh::ReadMeshOptions& caps,
+                                                           const voxel::ReadModelOptions& options,
                                                            const std::stop_token& stop) {
-    const auto model = open(path, caps.max_bytes, stop);
+    const auto model = open(path, options.mesh.max_bytes, stop);
     if (!model) return model.error();
     const auto whole =
-        read_to_split({model->bytes.view(), model->name, model->companions, {}}, caps, stop);
+        read_to_split({model->bytes.view(), model->name, model->companions, {}}, options, stop);
     if (!whole) return whole.error();
     return mesh::object_names((*whole)->objects);
 }
 
 Result<mesh::ReadMeshResult> ModelReader::read_object(const Source& source,
-                                                      const mesh::ReadMeshOptions& caps,
+                                                      const voxel::ReadModelOptions& options,
                                                       const std::stop_token& stop) {
-    const auto whole = read_to_split(source, caps, stop);
+    const auto whole = read_to_split(source, options, stop);
     if (!whole) return whole.error();
     const std::vector<std::string> names = mesh::object_names((*whole)->objects);
     const auto found = std::find(names.begin(), names.end(), source.object);
@@ -274,29 +284,31 @@ Result<mesh::ReadMeshResult> ModelReader::read_object(const Source& source,
     read.mesh = mesh::object_mesh((*whole)->mesh, (*whole)->objects[number]);
     read.metres_per_unit = (*whole)->metres_per_unit;
     read.up = (*whole)->up;
-    return mesh::finish_reading(std::move(read), source.name, caps, stop);
+    return mesh::finish_reading(std::move(read), source.name, options.mesh, stop);
 }
 
 Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
-                                               const mesh::ReadMeshOptions& caps,
+                                               const voxel::ReadModelOptions& options,
                                                const std::stop_token& stop) {
-    if (!source.object.empty()) return read_object(source, caps, stop);
+    if (!source.object.empty()) return read_object(source, options, stop);
     const mesh::ModelFormat format = mesh::recognise_format(source.bytes);
-    const bool fits = source.bytes.size() <= caps.max_bytes;
+    const bool fits = source.bytes.size() <= options.mesh.max_bytes;
     if (format == mesh::ModelFormat::kZip && fits) {
         const auto archive = hold_archive(source.bytes);
         if (!archive) return archive.error();
-        const auto model =
-            named(open_only_model(*archive, source.name, caps.max_bytes, stop), source.name);
+        const auto model = named(
+            open_only_model(*archive, source.name, options.mesh.max_bytes, stop), source.name);
         if (!model) return model.error();
-        return read(Source{model->bytes.view(), model->name, model->companions}, caps, stop);
+        return read(Source{model->bytes.view(), model->name, model->companions}, options, stop);
     }
     if (!is_foreign(format) || !fits) {
-        return voxel::read_model(source.bytes, source.name, {caps, {}}, stop);
+        return voxel::read_model(source.bytes, source.name, options, stop);
     }
-    auto process = take();
+    const bool is_cad = format == mesh::ModelFormat::kStep || format == mesh::ModelFormat::kIges;
+    auto process =
+        is_cad ? ReaderProcess::start(cad_program(options_.program), options_.limits) : take();
     if (!process) return process.error();
-    std::uint64_t left = caps.max_bytes;
+    std::uint64_t left = options.mesh.max_bytes;
     const GiveFile give = [&](std::string_view name) -> Result<OwnedDescriptor> {
         if (!source.companions) return stands_alone(name);
         auto opened = source.companions(name, left);
@@ -306,10 +318,10 @@ Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
         }
         return opened;
     };
-    auto read = (*process)->read({format, caps}, source.bytes, give, stop);
-    give_back(*std::move(process));
+    auto read = (*process)->read({format, options.mesh}, source.bytes, give, stop);
+    if (!is_cad) give_back(*std::move(process));
     if (!read) return named(std::move(read), source.name);
-    return mesh::finish_reading(*std::move(read), source.name, caps, stop);
+    return mesh::finish_reading(*std::move(read), source.name, options.mesh, stop);
 }
 
 Result<OwnedDescriptor> open_beneath(const fs::path& folder, std::string_view name,

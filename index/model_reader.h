@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
+#include "engine/voxel/read_model.h"
 #include "index/reader_process.h"
 
 namespace ossuary::index {
@@ -64,7 +65,7 @@ public:
     /// one model. The file is kept for the next call that asks for an object of it. Errors: those
     /// of read.
     Result<std::vector<std::string>> list_objects(const std::filesystem::path& path,
-                                                  const mesh::ReadMeshOptions& caps = {},
+                                                  const voxel::ReadModelOptions& options = {},
                                                   const std::stop_token& stop = {});
 
     /// What a ZIP archive holds.
@@ -78,7 +79,7 @@ public:
     /// scene_invalid, model_…; reader_time, reader_memory and reader_crashed where a file cost its
     /// reader's life; reader_unavailable.
     Result<mesh::ReadMeshResult> read(const std::filesystem::path& path,
-                                      const mesh::ReadMeshOptions& caps = {},
+                                      const voxel::ReadModelOptions& options = {},
                                       const std::stop_token& stop = {});
 
     /// The same from memory.
@@ -88,7 +89,8 @@ public:
         Companions companions = {};    ///< none = it stands alone
         std::string_view object = {};  ///< empty = all of it
     };
-    Result<mesh::ReadMeshResult> read(const Source& source, const mesh::ReadMeshOptions& caps = {},
+    Result<mesh::ReadMeshResult> read(const Source& source,
+                                      const voxel::ReadModelOptions& options = {},
                                       const std::stop_token& stop = {});
 
     /// Whether a format is read in a process of its own.
@@ -105,10 +107,10 @@ private:
     Result<ModelBytes> open_member(const Archive& archive, std::string_view name,
                                    const UnpackRequest& request, const std::stop_token& stop);
     using WholeModel = std::shared_ptr<const mesh::ReadMeshResult>;
-    Result<WholeModel> read_to_split(const Source& source, const mesh::ReadMeshOptions& caps,
+    Result<WholeModel> read_to_split(const Source& source, const voxel::ReadModelOptions& options,
                                      const std::stop_token& stop);
     Result<mesh::ReadMeshResult> read_object(const Source& source,
-                                             const mesh::ReadMeshOptions& caps,
+                                             const voxel::ReadModelOptions& options,
                                              const std::stop_token& stop);
     Result<ModelBytes> open_only_model(const Archive& archive, std::string_view name,
                                        std::uint64_t max_bytes, const std::stop_token& stop);

@@ -7,6 +7,7 @@
 #include "index/process_mark.h"
 #include "index/store_impl.h"
 #include "index/timestamp.h"
+#include "index/upload_bytes.h"
 
 namespace ossuary::index {
 
@@ -73,7 +74,9 @@ Result<ClaimedUpload> read_claimed(Store::Impl& impl, UploadId id) {
     claimed.model.class_name = row.text(3);
     Query pieces(impl.statement("SELECT bytes FROM upload_pieces WHERE upload = ? ORDER BY piece"));
     pieces.bind(id);
-    while (pieces.step()) claimed.model.bytes += pieces.blob(0);
+    std::string bytes;
+    while (pieces.step()) bytes += pieces.blob(0);
+    take_stored_bytes(std::move(bytes), claimed.model);
     return claimed;
 }
 
@@ -89,22 +92,23 @@ UploadState parse_state(std::string_view text, std::string_view claimant) {
 Result<std::optional<UploadId>> Store::add_upload(const UploadedModel& upload,
                                                   const UploadLimits& limits) {
     using Added = Result<std::optional<UploadId>>;
+    const std::string bytes = stored_bytes(upload);
     return impl_->locked([&]() -> Added {
         const DurableCommits durable(impl_->database());
         SQLite::Transaction transaction(impl_->database(), SQLite::TransactionBehavior::IMMEDIATE);
         const UploadQueue queue = read_queue(*impl_);
         const bool too_many = queue.waiting >= limits.waiting;
         const bool too_large =
-            queue.waiting > 0 && queue.waiting_bytes + upload.bytes.size() > limits.waiting_bytes;
+            queue.waiting > 0 && queue.waiting_bytes + bytes.size() > limits.waiting_bytes;
         if (too_many || too_large) return std::optional<UploadId>();
         Query(impl_->statement("INSERT INTO uploads (name, class, content_hash, size, state, "
                                "accepted_at) VALUES (?, ?, ?, ?, 'queued', ?)"))
-            .bind(upload.name, upload.class_name, content_hash(upload.bytes),
-                  static_cast<std::int64_t>(upload.bytes.size()), utc_now())
+            .bind(upload.name, upload.class_name, content_hash(bytes),
+                  static_cast<std::int64_t>(bytes.size()), utc_now())
             .run();
         const UploadId id = impl_->database().getLastInsertRowid();
         impl_->seal("uploads", "id = ?", id);
-        put_bytes(*impl_, id, upload.bytes);
+        put_bytes(*impl_, id, bytes);
         if (const auto committed = impl_->commit(transaction); !committed) {
             return committed.error();
         }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/voxel/volume_surface.h"
 #include "index/model.h"
 
 namespace ossuary::index {
@@ -16,6 +17,7 @@ struct UploadedModel {
     std::string bytes;
     std::string name;
     std::string class_name;
+    voxel::InsideOptions inside = {};  ///< as a person has said of a volume
 };
 
 /// How many uploads may wait in an index.

@@ -151,6 +151,17 @@ index::SearchOptions read_search_options(ParameterReader& reader) {
     return options;
 }
 
+voxel::InsideOptions read_inside(ParameterReader& reader) {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    voxel::InsideOptions inside;
+    inside.threshold = reader.number("threshold", -kMost, kMost);
+    inside.label = reader.number("label", -kMost, kMost);
+    if (inside.threshold && inside.label) {
+        reader.refuse("label", "`label` does not go together with `threshold`.");
+    }
+    return inside;
+}
+
 Checked<std::int64_t> parse_id(std::string_view text, std::string_view what) {
     const auto id = parse_number<std::int64_t>(text);
     if (id && *id >= 1) return *id;

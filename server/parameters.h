@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/ranking/ranker.h"
+#include "engine/voxel/volume_surface.h"
 #include "index/searcher.h"
 #include "server/request_head.h"
 
@@ -47,6 +48,9 @@ ranking::RankOptions read_rank_options(ParameterReader& reader, bool with_rerank
 
 /// `limit`, `class` and the above.
 index::SearchOptions read_search_options(ParameterReader& reader);
+
+/// `threshold` or `label`: what of a volume is the model.
+voxel::InsideOptions read_inside(ParameterReader& reader);
 
 /// A positive whole number in a path, as `id`.
 Checked<std::int64_t> parse_id(std::string_view text, std::string_view what);

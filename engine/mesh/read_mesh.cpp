@@ -109,10 +109,10 @@ Result<ReadMeshResult> finish_reading(ReadMeshResult read, std::string_view name
 }
 
 bool is_model_file(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 24> kExtensions = {
-        ".off", ".coff", ".noff", ".cnoff", ".ncoff", ".stoff",  ".stl", ".obj",
-        ".ply", ".xyz",  ".pts",  ".asc",   ".3mf",   ".gltf",   ".glb", ".dae",
-        ".x3d", ".amf",  ".fbx",  ".nrrd",  ".nii",   ".binvox", ".npy", ".zip"};
+    constexpr std::array<std::string_view, 28> kExtensions = {
+        ".off", ".coff",   ".noff", ".cnoff", ".ncoff", ".stoff", ".stl",  ".obj", ".ply", ".xyz",
+        ".pts", ".asc",    ".3mf",  ".gltf",  ".glb",   ".dae",   ".x3d",  ".amf", ".fbx", ".nrrd",
+        ".nii", ".binvox", ".npy",  ".zip",   ".step",  ".stp",   ".iges", ".igs"};
     const auto lower_extension = [](const std::filesystem::path& name) {
         std::string extension = name.extension().string();
         for (char& c : extension) {

@@ -43,8 +43,8 @@ struct ReadMeshResult {
     std::vector<MeshWarning> warnings;
     double metres_per_unit = 0.0;  ///< 0 where neither file nor format says it
     std::optional<UpAxis> up = std::nullopt;
-    /// In their order, of formats that have them: 3MF, glTF, COLLADA, X3D, AMF, FBX, OBJ, STL as
-    /// text.
+    /// In their order, of formats that have them: 3MF, glTF, COLLADA, X3D, AMF, FBX, STEP, IGES,
+    /// OBJ, STL as text.
     std::vector<ModelObject> objects = {};
 };
 

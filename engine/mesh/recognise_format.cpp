@@ -46,6 +46,31 @@ ModelFormat xml_format(std::string_view text) {
     return text.starts_with("<?xml") ? ModelFormat::kXml : ModelFormat::kUnknown;
 }
 
+/// The first word may stand behind blanks and comments.
+bool is_step(std::string_view text) {
+    while (true) {
+        const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+        if (first == std::string_view::npos) return false;
+        text.remove_prefix(first);
+        if (!text.starts_with("/*")) return text.starts_with("ISO-10303-21");
+        const std::size_t end = text.find("*/", 2);
+        if (end == std::string_view::npos) return false;
+        text.remove_prefix(end + 2);
+    }
+}
+
+/// Lines of 80 characters, of which the last eight are the section and the line's number in it.
+bool is_iges(std::string_view text) {
+    constexpr std::size_t kSection = 72;
+    constexpr std::size_t kLine = 80;
+    if (text.size() <= kLine || text[kSection] != 'S') return false;
+    const std::string_view number = text.substr(kSection + 1, kLine - kSection - 1);
+    const std::size_t first = number.find_first_not_of(" 0");
+    return first == number.size() - 1 && number.back() == '1' &&
+           text.substr(0, kSection).find_first_of("\r\n") == std::string_view::npos &&
+           (text[kLine] == '\n' || text[kLine] == '\r');
+}
+
 /// Whether a ZIP archive is a 3MF package, by the names in its directory at the end.
 bool is_three_mf(std::string_view archive) {
     constexpr std::size_t kDirectory = 1 << 20;
@@ -67,7 +92,8 @@ ModelFormat recognise_format(std::string_view bytes) {
         return is_three_mf(bytes) ? ModelFormat::kThreeMf : ModelFormat::kZip;
     }
     if (bytes.starts_with("Kaydara FBX")) return ModelFormat::kFbx;
-    if (bytes.starts_with("ISO-10303-21")) return ModelFormat::kStep;
+    if (is_step(start)) return ModelFormat::kStep;
+    if (is_iges(start)) return ModelFormat::kIges;
     if (looks_like_ply(bytes)) return ModelFormat::kPly;
     if (looks_like_off(bytes)) {
         return is_xyz_rather_than_off(bytes) ? ModelFormat::kXyz : ModelFormat::kOff;
@@ -126,6 +152,8 @@ std::string_view to_string(ModelFormat format) {
             return "FBX";
         case ModelFormat::kStep:
             return "STEP";
+        case ModelFormat::kIges:
+            return "IGES";
         case ModelFormat::kGeomview:
             return "Geomview (not OFF)";
     }

@@ -24,6 +24,7 @@ enum class ModelFormat {
     kXml,  ///< anything else in XML
     kFbx,  ///< binary or text
     kStep,
+    kIges,
     kGeomview,  ///< objects of other kinds than OFF
 };
 

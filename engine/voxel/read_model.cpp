@@ -80,7 +80,7 @@ Result<mesh::ReadMeshResult> read_unpacked(std::string_view bytes, std::string_v
     if (looks_like_volume(bytes)) {
         const Result<Volume> volume = read_volume(bytes, name, {}, stop);
         if (!volume) return volume.error();
-        Result<VolumeSurface> surface = volume_surface(*volume, {}, stop);
+        Result<VolumeSurface> surface = volume_surface(*volume, {.inside = options.inside}, stop);
         if (!surface) return named(surface.error(), name);
         return named(made(std::move(surface->mesh), std::move(surface->warnings), options), name);
     }

@@ -6,13 +6,15 @@
 
 #include "engine/core/result.h"
 #include "engine/mesh/read_mesh.h"
+#include "engine/voxel/volume_surface.h"
 #include "engine/voxel/wrap_points.h"
 
 namespace ossuary::voxel {
 
 struct ReadModelOptions {
-    mesh::ReadMeshOptions mesh;
-    WrapOptions wrap;
+    mesh::ReadMeshOptions mesh = {};
+    WrapOptions wrap = {};
+    InsideOptions inside = {};  ///< of volumes; other files have no use for it
 };
 
 /// Reads whatever may be a model as a mesh, by its contents: what read_mesh takes; of files that

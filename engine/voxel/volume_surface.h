@@ -14,6 +14,8 @@ namespace ossuary::voxel {
 struct InsideOptions {
     std::optional<double> threshold;  ///< values of at least this
     std::optional<double> label;      ///< this value alone; goes before `threshold`
+
+    bool operator==(const InsideOptions&) const = default;
 };
 
 struct VolumeSurfaceOptions {

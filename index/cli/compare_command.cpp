@@ -18,6 +18,7 @@ struct CompareArguments {
     std::string a, b;
     std::string index_path;
     PipelineOptions pipeline;
+    VolumeOptions volume;
     RankingOptions ranking;
 };
 
@@ -25,9 +26,10 @@ Result<index::Comparison> compare_files(const CompareArguments& options,
                                         const ranking::RankOptions& rank, const Session& session) {
     const Result<index::IndexParameters> parameters = options.pipeline.parameters();
     if (!parameters.ok()) return parameters.error();
-    const Result<mesh::ReadMeshResult> a = session.reader->read(options.a, {}, session.stop);
+    const voxel::ReadModelOptions reading = options.volume.read_options();
+    const Result<mesh::ReadMeshResult> a = session.reader->read(options.a, reading, session.stop);
     if (!a.ok()) return a.error();
-    const Result<mesh::ReadMeshResult> b = session.reader->read(options.b, {}, session.stop);
+    const Result<mesh::ReadMeshResult> b = session.reader->read(options.b, reading, session.stop);
     if (!b.ok()) return b.error();
     Result<index::Comparison> comparison =
         index::compare_meshes(a->mesh, b->mesh, *parameters, rank, session.stop);
@@ -101,6 +103,7 @@ void add_compare(CLI::App& app, Session& session) {
                      "Compare two models of this index, normalised by its statistics")
         ->type_name("FILE");
     options->pipeline.add_to(*command);
+    options->volume.add_to(*command);
     options->ranking.add_to(*command, RankingOptions::Count::kOne, false);
     options->ranking.add_part_to(*command, "How far B is from having A as a part");
     set_body(*command, session, [options, &session] { return run(*options, session); });

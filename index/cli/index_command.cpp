@@ -20,6 +20,7 @@ struct IndexArguments {
     std::string classes_path;
     std::vector<std::string> paths;
     PipelineOptions pipeline;
+    VolumeOptions volume;
     std::string prune = "no";
     std::vector<std::string> exclude;
     std::string up = "auto";
@@ -97,6 +98,7 @@ Result<ExitCode> run(const IndexArguments& options, const Session& session) {
         }
         index_options.walk.exclude.push_back(*std::move(glob));
     }
+    index_options.inside = options.volume.inside;
     index_options.split = options.split;
     index_options.retry_failed = options.retry_failed;
     index_options.model_timeout_seconds = options.model_timeout_seconds;
@@ -138,6 +140,7 @@ void add_index(CLI::App& app, Session& session) {
                      "Princeton classification (.cla) that names the models' classes")
         ->type_name("FILE");
     options->pipeline.add_to(*command);
+    options->volume.add_to(*command);
     command
         ->add_option("--exclude", options->exclude,
                      "Pass over files and folders whose name, or with a / in it whose path below "

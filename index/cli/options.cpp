@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "engine/core/text.h"
@@ -61,6 +62,25 @@ Result<index::IndexParameters> PipelineOptions::parameters(
         parameters.thinning = *method;
     }
     return parameters;
+}
+
+void VolumeOptions::add_to(CLI::App& command) {
+    const CLI::Validator finite(
+        [](const std::string& text) {
+            double value = 0.0;
+            const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+            return is_number ? std::string() : "expected a finite number, found " + text;
+        },
+        "NUMBER", "finite");
+    CLI::Option* threshold =
+        command
+            .add_option("--threshold", inside.threshold,
+                        "Of volumes (NRRD, NIfTI, binvox, .npy): values of at least this are the "
+                        "model; other files have no use for it (default: found from the values)")
+            ->check(finite);
+    command.add_option("--label", inside.label, "Of volumes: this value alone is the model")
+        ->check(finite)
+        ->excludes(threshold);
 }
 
 void RankingOptions::add_to(CLI::App& command, Count count, bool with_rerank) {

@@ -7,6 +7,7 @@
 
 #include "engine/core/result.h"
 #include "engine/ranking/ranker.h"
+#include "engine/voxel/read_model.h"
 #include "index/model.h"
 #include "index/store.h"
 #include "index/up.h"
@@ -24,6 +25,14 @@ struct PipelineOptions {
     /// `defaults` with what the user named replaced.
     [[nodiscard]] Result<index::IndexParameters> parameters(
         const index::IndexParameters& defaults = {}) const;
+};
+
+/// --threshold and --label: what of a volume is the model.
+struct VolumeOptions {
+    voxel::InsideOptions inside;
+
+    void add_to(CLI::App& command);
+    [[nodiscard]] voxel::ReadModelOptions read_options() const { return {.inside = inside}; }
 };
 
 /// --ranker, --pose, --size, --rerank and --part.

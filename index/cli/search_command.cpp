@@ -19,6 +19,7 @@ struct SearchArguments {
     std::string model_path;
     std::size_t limit = index::SearchOptions{}.limit;
     std::string class_filter;
+    VolumeOptions volume;
     RankingOptions ranking;
 };
 
@@ -50,7 +51,7 @@ Result<ExitCode> run(const SearchArguments& options, const Session& session) {
 
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> query =
-        session.reader->read(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, options.volume.read_options(), session.stop);
     if (!query.ok()) return query.error();
     const double read_ms = watch.elapsed_ms();
 
@@ -88,6 +89,7 @@ void add_search(CLI::App& app, Session& session) {
     command->add_option("--limit", options->limit, "How many hits (0 = all)")
         ->capture_default_str();
     command->add_option("--class", options->class_filter, "Only hits of this class");
+    options->volume.add_to(*command);
     options->ranking.add_to(*command, RankingOptions::Count::kOne, true);
     options->ranking.add_part_to(*command,
                                  "Find models that have the query as a part: an arm finds people");

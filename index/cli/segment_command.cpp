@@ -13,6 +13,7 @@
 #include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
+#include "index/cli/options.h"
 #include "index/coloured_parts.h"
 #include "index/gltf.h"
 #include "index/json_text.h"
@@ -26,6 +27,7 @@ struct SegmentArguments {
     std::vector<std::string> out;
     std::string method = "evidence";
     decomposition::DecomposeOptions decompose;
+    VolumeOptions volume;
 };
 
 nlohmann::json document_of(const decomposition::Decomposition& decomposition,
@@ -101,7 +103,7 @@ Result<ExitCode> run(SegmentArguments options, const Session& session) {
     options.decompose.method = *method;
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> read =
-        session.reader->read(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, options.volume.read_options(), session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<decomposition::Decomposition> decomposition =
@@ -158,6 +160,7 @@ void add_segment(CLI::App& app, Session& session) {
         ->add_option("--seed", options->decompose.seed,
                      "thesis: of the random choice of surface points")
         ->capture_default_str();
+    options->volume.add_to(*command);
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }
 

@@ -22,6 +22,7 @@ struct SkeletonArguments {
     std::string stage = "refined";
     std::string out;
     PipelineOptions pipeline;
+    VolumeOptions volume;
 };
 
 const skeleton::SkeletonGraph& stage_of(const skeleton::Skeleton& skeleton,
@@ -76,7 +77,7 @@ Result<ExitCode> run(const SkeletonArguments& options, const Session& session) {
     if (!parameters.ok()) return parameters.error();
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> read =
-        session.reader->read(options.model_path, {}, session.stop);
+        session.reader->read(options.model_path, options.volume.read_options(), session.stop);
     if (!read.ok()) return read.error();
     StageTimes times = {{"read", watch.lap_ms()}};
     const Result<skeleton::Skeleton> skeleton = skeleton::skeletonize(
@@ -117,6 +118,7 @@ void add_skeleton(CLI::App& app, Session& session) {
                      "Write it as .obj (polylines) or .json, in the model's own coordinates")
         ->type_name("FILE");
     options->pipeline.add_to(*command);
+    options->volume.add_to(*command);
     set_body(*command, session, [options, &session] { return run(*options, session); });
 }
 

@@ -16,6 +16,7 @@
 #include "index/reader/confinement.h"
 #include "index/reader/protocol.h"
 #include "index/reader/read_archive.h"
+#include "index/reader/read_cad.h"
 #include "index/reader/read_gltf.h"
 #include "index/reader/read_scene.h"
 #include "index/reader/read_three_mf.h"
@@ -52,6 +53,9 @@ Result<mesh::ReadMeshResult> read_model(const ReadRequest& request, std::string_
         case mesh::ModelFormat::kAmf:
         case mesh::ModelFormat::kFbx:
             return read_scene(bytes, request.format, request.caps);
+        case mesh::ModelFormat::kStep:
+        case mesh::ModelFormat::kIges:
+            return read_cad(bytes, request.format, request.caps);
         default:
             return {ErrorCode::kFormatUnsupported, "expected a format that this program reads"};
     }

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "index/reader/beam_lattice.h"
 #include "index/reader/scene_builder.h"
 #include "index/reader/three_mf_extensions.h"
+#include "index/reader/three_mf_package.h"
 
 namespace ossuary::index {
 namespace {
@@ -66,28 +69,47 @@ double metres_of(DWORD unit) {
 class ThreeMfReader {
 public:
     explicit ThreeMfReader(const mesh::ReadMeshOptions& caps)
-        : scene_(caps, SceneBuilder::Corners::kKeep) {}
+        : caps_(caps), scene_(caps, SceneBuilder::Corners::kKeep) {}
 
     Result<mesh::ReadMeshResult> read(std::string_view bytes);
 
 private:
     Result<void> open(std::string_view bytes);
+    Result<void> open_package(std::string_view bytes);
     Result<void> hear_warnings(Handle* reader);
     Result<void> add_items();
     Result<void> add_item(Handle* item);
     Result<void> add_object(Handle* object, const Matrix4& matrix, int depth);
     Result<void> add_components(Handle* object, const Matrix4& matrix, int depth);
     Result<void> add_mesh(Handle* object, const Matrix4& matrix);
+    Result<void> add_beams(Handle* object, const Matrix4& matrix);
+    Result<void> add_placed(std::span<const Vec3> vertices,
+                            std::span<const mesh::TriangleMesh::Triangle> triangles,
+                            const Matrix4& matrix);
 
+    const mesh::ReadMeshOptions& caps_;
     SceneBuilder scene_;
+    std::string trimmed_;  ///< the package, where it is not the file's
     Instance model_;
-    std::size_t beams_ = 0;
-    std::vector<NMR::MODELMESHVERTEX> vertices_;
-    std::vector<NMR::MODELMESHTRIANGLE> triangles_;
-    std::vector<std::uint32_t> numbers_;  ///< in the scene, of the vertices of a mesh
+    std::size_t unclipped_ = 0;           ///< beams
+    std::vector<Vec3> vertices_;          ///< of a mesh
+    std::vector<std::uint32_t> numbers_;  ///< in the scene, of the vertices that are placed
 };
 
 Result<void> ThreeMfReader::open(std::string_view bytes) {
+    Result<void> opened = open_package(bytes);
+    if (opened || opened.error().code != ErrorCode::kThreeMfInvalid) return opened;
+    // What lies beside the model is no reason to refuse it.
+    auto trimmed = trim_package(bytes);
+    if (!trimmed) return opened;
+    trimmed_ = std::move(trimmed->bytes);
+    if (!open_package(trimmed_)) return opened;
+    scene_.warn("relations_skipped", trimmed->dropped,
+                mesh::plural(trimmed->dropped, "relation") + " to what is not the model");
+    return {};
+}
+
+Result<void> ThreeMfReader::open_package(std::string_view bytes) {
     model_ = made_by([](auto** made) { return NMR::lib3mf_createmodel(made); });
     if (!model_) return {ErrorCode::kReaderMemory, "expected memory for a model, found none"};
     const Instance reader = made_by(
@@ -125,45 +147,95 @@ Result<void> ThreeMfReader::hear_warnings(Handle* reader) {
     return {};
 }
 
-Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
-    DWORD vertices = 0;
-    DWORD triangles = 0;
-    DWORD beams = 0;
-    if (NMR::lib3mf_meshobject_getvertexcount(object, &vertices) != LIB3MF_OK ||
-        NMR::lib3mf_meshobject_gettrianglecount(object, &triangles) != LIB3MF_OK) {
-        return library_error(object, "counting");
-    }
-    if (NMR::lib3mf_meshobject_getbeamcount(object, &beams) == LIB3MF_OK) beams_ += beams;
-    if (triangles == 0) return {};
-    vertices_.resize(vertices);
-    triangles_.resize(triangles);
-    if (NMR::lib3mf_meshobject_getvertices(object, vertices_.data(), vertices, nullptr) !=
-            LIB3MF_OK ||
-        NMR::lib3mf_meshobject_gettriangleindices(object, triangles_.data(), triangles, nullptr) !=
-            LIB3MF_OK) {
-        return library_error(object, "taking a mesh");
-    }
+Result<void> ThreeMfReader::add_placed(std::span<const Vec3> vertices,
+                                       std::span<const mesh::TriangleMesh::Triangle> triangles,
+                                       const Matrix4& matrix) {
     numbers_.clear();
-    for (const NMR::MODELMESHVERTEX& vertex : vertices_) {
-        const Vec3 local(double{vertex.m_fPosition[0]}, double{vertex.m_fPosition[1]},
-                         double{vertex.m_fPosition[2]});
-        const Vec3 placed = matrix.topLeftCorner<3, 3>() * local + matrix.topRightCorner<3, 1>();
+    for (const Vec3& vertex : vertices) {
+        const Vec3 placed = matrix.topLeftCorner<3, 3>() * vertex + matrix.topRightCorner<3, 1>();
         const auto number = scene_.add_vertex(placed);
         if (!number) return number.error();
         numbers_.push_back(*number);
     }
     const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0.0;
-    for (const NMR::MODELMESHTRIANGLE& triangle : triangles_) {
+    for (const mesh::TriangleMesh::Triangle& triangle : triangles) {
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            if (triangle.m_nIndices[corner] >= vertices)
-                return invalid("a corner that is no vertex");
-            corners[corner] = numbers_[triangle.m_nIndices[corner]];
+            if (triangle[corner] >= vertices.size()) return invalid("a corner that is no vertex");
+            corners[corner] = numbers_[triangle[corner]];
         }
         if (mirrored) std::swap(corners[1], corners[2]);
         if (auto added = scene_.add_face(corners); !added) return added;
     }
     return {};
+}
+
+Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
+    DWORD vertices = 0;
+    DWORD triangles = 0;
+    if (NMR::lib3mf_meshobject_getvertexcount(object, &vertices) != LIB3MF_OK ||
+        NMR::lib3mf_meshobject_gettrianglecount(object, &triangles) != LIB3MF_OK) {
+        return library_error(object, "counting");
+    }
+    std::vector<NMR::MODELMESHVERTEX> positions(vertices);
+    std::vector<NMR::MODELMESHTRIANGLE> faces(triangles);
+    if ((vertices > 0 && NMR::lib3mf_meshobject_getvertices(object, positions.data(), vertices,
+                                                            nullptr) != LIB3MF_OK) ||
+        (triangles > 0 && NMR::lib3mf_meshobject_gettriangleindices(object, faces.data(), triangles,
+                                                                    nullptr) != LIB3MF_OK)) {
+        return library_error(object, "taking a mesh");
+    }
+    vertices_.clear();
+    for (const NMR::MODELMESHVERTEX& position : positions) {
+        vertices_.emplace_back(double{position.m_fPosition[0]}, double{position.m_fPosition[1]},
+                               double{position.m_fPosition[2]});
+    }
+    if (triangles > 0) {
+        std::vector<mesh::TriangleMesh::Triangle> corners;
+        corners.reserve(triangles);
+        for (const NMR::MODELMESHTRIANGLE& face : faces) {
+            corners.push_back({face.m_nIndices[0], face.m_nIndices[1], face.m_nIndices[2]});
+        }
+        if (auto added = add_placed(vertices_, corners, matrix); !added) return added;
+    }
+    return add_beams(object, matrix);
+}
+
+BeamCap cap_of(NMR::eModelBeamLatticeCapMode mode) {
+    switch (mode) {
+        case NMR::MODELBEAMLATTICECAPMODE_HEMISPHERE:
+            return BeamCap::kHemisphere;
+        case NMR::MODELBEAMLATTICECAPMODE_BUTT:
+            return BeamCap::kButt;
+        default:
+            return BeamCap::kSphere;
+    }
+}
+
+/// The lattice of a mesh, between vertices_.
+Result<void> ThreeMfReader::add_beams(Handle* object, const Matrix4& matrix) {
+    DWORD count = 0;
+    if (NMR::lib3mf_meshobject_getbeamcount(object, &count) != LIB3MF_OK || count == 0) return {};
+    std::vector<NMR::MODELMESHBEAM> stored(count);
+    if (NMR::lib3mf_meshobject_getbeamindices(object, stored.data(), count, nullptr) != LIB3MF_OK) {
+        return library_error(object, "taking beams");
+    }
+    std::vector<Beam> beams;
+    beams.reserve(count);
+    for (const NMR::MODELMESHBEAM& beam : stored) {
+        beams.push_back({{beam.m_nIndices[0], beam.m_nIndices[1]},
+                         {beam.m_dRadius[0], beam.m_dRadius[1]},
+                         {cap_of(beam.m_eCapMode[0]), cap_of(beam.m_eCapMode[1])}});
+    }
+    auto mode = NMR::MODELBEAMLATTICECLIPMODE_NONE;
+    DWORD clip = 0;
+    if (NMR::lib3mf_meshobject_getbeamlattice_clipping(object, &mode, &clip) == LIB3MF_OK &&
+        mode != NMR::MODELBEAMLATTICECLIPMODE_NONE) {
+        unclipped_ += count;
+    }
+    const auto surface = beam_lattice_surface(vertices_, beams, caps_);
+    if (!surface) return surface.error();
+    return add_placed(surface->vertices, surface->triangles, matrix);
 }
 
 Result<void> ThreeMfReader::add_components(Handle* object, const Matrix4& matrix, int depth) {
@@ -251,8 +323,8 @@ Result<void> ThreeMfReader::add_items() {
 Result<mesh::ReadMeshResult> ThreeMfReader::read(std::string_view bytes) {
     if (auto opened = open(bytes); !opened) return opened.error();
     if (auto added = add_items(); !added) return added.error();
-    scene_.warn("beams_skipped", beams_,
-                mesh::plural(beams_, "beam") + " of lattices, which are not read");
+    scene_.warn("beams_not_clipped", unclipped_,
+                mesh::plural(unclipped_, "beam") + " of lattices that a mesh was to cut off");
     mesh::ReadMeshResult read = scene_.take();
     DWORD unit = NMR::MODELUNIT_MILLIMETER;
     NMR::lib3mf_model_getunit(model_.get(), &unit);

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "engine/mesh/read_mesh.h"
+#include "engine/voxel/read_model.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
 
@@ -26,6 +26,7 @@ std::optional<Problem> check_add_model(const Service&, const RequestHead& head) 
     ParameterReader reader(head);
     reader.text("name");
     reader.text("class");
+    read_inside(reader);
     if (auto fault = reader.finish()) return fault;
     return judge_media_type(head);
 }
@@ -34,14 +35,16 @@ Checked<Response> add_model(Service& service, const Request& request) {
     const auto upload = read_upload(request);
     if (!upload) return tl::unexpected<Problem>(upload.error());
     // A file that cannot be read is refused here and now rather than in a job later.
-    mesh::ReadMeshOptions caps;
-    caps.max_bytes = service.options.http.max_body;
-    const auto mesh = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
+    ParameterReader parameters(request.head);
+    voxel::ReadModelOptions reading{.inside = read_inside(parameters)};
+    reading.mesh.max_bytes = service.options.http.max_body;
+    const auto mesh = service.reader.read({upload->bytes, upload->name, {}}, reading, request.stop);
     if (!mesh) return fail(mesh.error());
 
     const std::string* class_name = find_field(request.head.parameters, "class");
-    const auto job = service.jobs->add({std::string(upload->bytes), upload->name,
-                                        class_name == nullptr ? std::string() : *class_name});
+    const auto job =
+        service.jobs->add({std::string(upload->bytes), upload->name,
+                           class_name == nullptr ? std::string() : *class_name, reading.inside});
     if (!job) return fail(job.error());
     if (!*job) return fail(RequestFault::kOverloaded, "Too many models wait to be indexed.");
     const std::string location = "/v1/jobs/" + std::to_string(**job);

@@ -4,7 +4,7 @@
 #include "engine/core/stopwatch.h"
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
-#include "engine/mesh/read_mesh.h"
+#include "engine/voxel/read_model.h"
 #include "index/describe_model.h"
 #include "index/presentation.h"
 #include "server/handlers/handlers.h"
@@ -15,6 +15,7 @@ namespace {
 
 struct SearchParameters {
     index::SearchOptions options;
+    voxel::InsideOptions inside;
     bool with_mesh = false;
     std::optional<Problem> fault;
 };
@@ -23,6 +24,7 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     SearchParameters parameters;
     ParameterReader reader(head);
     parameters.options = read_search_options(reader);
+    parameters.inside = read_inside(reader);
     parameters.with_mesh = reader.choice("include", {"mesh"}).has_value();
     reader.text("name");
     parameters.fault = reader.finish();
@@ -49,9 +51,10 @@ Checked<Response> search(Service& service, const Request& request) {
     if (!slot) return tl::unexpected<Problem>(slot.error());
 
     Stopwatch watch;
-    mesh::ReadMeshOptions caps;
-    caps.max_bytes = service.options.http.max_body;
-    const auto query = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
+    voxel::ReadModelOptions reading{.inside = parameters.inside};
+    reading.mesh.max_bytes = service.options.http.max_body;
+    const auto query =
+        service.reader.read({upload->bytes, upload->name, {}}, reading, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
     auto result = service.searcher.search(query->mesh, parameters.options, request.stop);

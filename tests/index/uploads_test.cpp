@@ -205,6 +205,25 @@ TEST_F(Uploads, AreRememberedForAWhile) {
     EXPECT_FALSE(*store.upload(last - static_cast<UploadId>(kRememberedUploads)));
 }
 
+TEST_F(Uploads, KeepTheirBytesAndWhatWasSaidOfThem) {
+    Store store = open();
+    const std::string mark = "ossuary-upload 1\n";
+    std::vector<UploadedModel> uploads = {
+        {"bytes", "plain", "", {}},       {"bytes", "threshold", "", {-1e-300, {}}},
+        {"", "label", "", {{}, 0.1}},     {mark + "label 3\nbytes", "like what is kept", "", {}},
+        {mark, "cut off", "", {{}, 3.0}},
+    };
+    for (const UploadedModel& upload : uploads) ASSERT_TRUE(store.add_upload(upload, {}));
+    test::expect_sound(store);
+    for (const UploadedModel& upload : uploads) {
+        const ClaimedUpload claimed = claim(store, mark_);
+        EXPECT_EQ(claimed.model.name, upload.name);
+        EXPECT_EQ(claimed.model.bytes, upload.bytes) << upload.name;
+        EXPECT_EQ(claimed.model.inside, upload.inside) << upload.name;
+        ASSERT_TRUE(fail(store, claimed.claim));
+    }
+}
+
 TEST_F(Uploads, ThatAreDamagedAreFoundByVerify) {
     Store store = open();
     add(store, "waiting", "some bytes");

@@ -161,6 +161,21 @@ TEST_F(Search, FindsAModelInWhateverFormatItComes) {
     EXPECT_EQ(server_.code(post("/v1/search", "ply\nformat ascii 2\nvertex\n"), 422), "ply_header");
 }
 
+TEST_F(Search, TakesOfAVolumeWhatTheLabelOrTheThresholdSays) {
+    const std::string volume = to_nrrd({30, 30, 30}, [](const Vec3i& at) {
+        return at.x() < 10 ? 1 : at.x() >= 20 && at.y() < 10 ? 5 : 0;
+    });
+    const auto faces = [&](const std::string& query) {
+        return server_.json(post("/v1/search?limit=1" + query, volume))["query"]["faces"]
+            .get<int>();
+    };
+    EXPECT_LT(faces("&label=5"), faces("&label=1"));
+    EXPECT_EQ(faces("&threshold=2"), faces("&label=5"));
+    EXPECT_GT(faces("&threshold=1"), faces("&label=1"));
+    EXPECT_EQ(server_.code(post("/v1/search?label=3", volume), 422), "solid_empty");
+    EXPECT_EQ(server_.code(post("/v1/search?threshold=1e3", volume), 422), "solid_empty");
+}
+
 TEST_F(Search, AnswersOnAfterAFileThatCannotBeRead) {
     const std::string glb = to_plain_glb(mesh::read_mesh(tree(), "tree")->mesh);
     const std::string beside =
@@ -192,6 +207,9 @@ TEST_F(Search, NamesTheParameterAtFault) {
     EXPECT_EQ(fault("rerank=yes"), "parameter_invalid:rerank");
     EXPECT_EQ(fault("part=1"), "parameter_invalid:part");
     EXPECT_EQ(fault("part=true&rerank=true"), "parameter_invalid:rerank");
+    EXPECT_EQ(fault("threshold=nan"), "parameter_invalid:threshold");
+    EXPECT_EQ(fault("label=one"), "parameter_invalid:label");
+    EXPECT_EQ(fault("threshold=1&label=1"), "parameter_invalid:label");
     EXPECT_EQ(fault("include=everything"), "parameter_invalid:include");
     EXPECT_EQ(fault("class="), "parameter_invalid:class");
     EXPECT_EQ(fault("limits=3"), "parameter_unknown:limits");

@@ -35,7 +35,7 @@ std::string chunk(const char* kind, std::string bytes, char filler) {
 
 }  // namespace
 
-std::string to_plain_glb(const mesh::TriangleMesh& mesh) {
+SeparateGltf to_separate_gltf(const mesh::TriangleMesh& mesh, const std::string& buffer_name) {
     index::ByteWriter numbers;
     for (const Vec3& vertex : mesh.vertices) {
         for (const double x : vertex) numbers.put(static_cast<float>(x));
@@ -53,16 +53,35 @@ std::string to_plain_glb(const mesh::TriangleMesh& mesh) {
          << R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)"
          << 3 * mesh.triangles.size() << R"(}],"bufferViews":[{"buffer":0,"byteLength":)"
          << positions << R"(},{"buffer":0,"byteOffset":)" << positions << R"(,"byteLength":)"
-         << all - positions << R"(}],"buffers":[{"byteLength":)" << all << "}]}";
-    const std::string body =
-        chunk("JSON", text.str(), ' ') +
-        chunk(std::string_view("BIN\0", 4).data(), std::move(numbers).take(), '\0');
+         << all - positions << R"(}],"buffers":[{)"
+         << (buffer_name.empty() ? "" : "\"uri\":\"" + buffer_name + "\",") << R"("byteLength":)"
+         << all << "}]}";
+    return {text.str(), std::move(numbers).take()};
+}
+
+std::string to_plain_glb(const mesh::TriangleMesh& mesh) {
+    const SeparateGltf parts = to_separate_gltf(mesh, "");
+    const std::string body = chunk("JSON", parts.document, ' ') +
+                             chunk(std::string_view("BIN\0", 4).data(), parts.buffer, '\0');
     index::ByteWriter glb;
     glb.put_raw("glTF");
     glb.put(std::uint32_t{2});
     glb.put(static_cast<std::uint32_t>(12 + body.size()));
     glb.put_raw(body);
     return std::move(glb).take();
+}
+
+std::string to_nrrd(const Vec3i& size, const std::function<int(const Vec3i&)>& value) {
+    std::ostringstream text;
+    text << "NRRD0004\ntype: uint8\ndimension: 3\nsizes: " << size.x() << ' ' << size.y() << ' '
+         << size.z() << "\nencoding: raw\n\n";
+    std::string bytes = text.str();
+    for (int z = 0; z < size.z(); ++z) {
+        for (int y = 0; y < size.y(); ++y) {
+            for (int x = 0; x < size.x(); ++x) bytes += static_cast<char>(value({x, y, z}));
+        }
+    }
+    return bytes;
 }
 
 std::string three_mf_part(const std::string& resources, const std::string& build) {

@@ -26,7 +26,7 @@ protected:
     }
     /// The number of triangles of what is read, or the code of why not.
     std::string read(const fs::path& path, const mesh::ReadMeshOptions& caps = {}) {
-        const auto result = reader_.read(path, caps);
+        const auto result = reader_.read(path, {.mesh = caps});
         if (result) return std::to_string(result->mesh.triangles.size());
         message_ = result.error().message;
         EXPECT_TRUE(message_.starts_with(path.string())) << message_;

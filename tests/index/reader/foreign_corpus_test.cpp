@@ -10,7 +10,11 @@
 namespace ossuary::test {
 namespace {
 
-const std::vector<std::string> kFormats = {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"};
+std::vector<std::string> formats() {
+    std::vector<std::string> formats = {"3mf", "gltf", "glb", "dae", "amf", "x3d", "fbx"};
+    if (OSSUARY_READS_CAD) formats.insert(formats.end(), {"step", "iges"});
+    return formats;
+}
 
 class ForeignCorpus : public testing::TestWithParam<FormatCase> {
 protected:
@@ -55,7 +59,7 @@ TEST_P(ForeignCorpusGood, GivesACodedErrorOrAMeshWhereItIsCutOrDamaged) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood, testing::ValuesIn(format_cases(kFormats, "ok")),
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood, testing::ValuesIn(format_cases(formats(), "ok")),
                          case_name);
 
 class ForeignCorpusBad : public ForeignCorpus {};
@@ -65,7 +69,7 @@ TEST_P(ForeignCorpusBad, IsRefusedAsExpected) {
     expect_refused(reader_.read({expected.bytes, "folder/model", {}}), expected, "folder/model");
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad, testing::ValuesIn(format_cases(kFormats, "bad")),
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad, testing::ValuesIn(format_cases(formats(), "bad")),
                          case_name);
 
 }  // namespace

@@ -94,9 +94,9 @@ TEST_F(ModelReaderFiles, HoldsAllFilesOfAModelAgainstTheLimitTogether) {
     write(folder_ / "model.gltf", triangle_beside("below/numbers.bin"));
     mesh::ReadMeshOptions caps;
     caps.max_bytes = fs::file_size(folder_ / "model.gltf");
-    EXPECT_TRUE(reader_.read(folder_ / "model.gltf", caps));
+    EXPECT_TRUE(reader_.read(folder_ / "model.gltf", {.mesh = caps}));
     write(folder_ / "below" / "numbers.bin", std::string(2000, '\0'));
-    const auto read = reader_.read(folder_ / "model.gltf", caps);
+    const auto read = reader_.read(folder_ / "model.gltf", {.mesh = caps});
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::kGltfBuffer);
 }

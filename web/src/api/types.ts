@@ -12,8 +12,8 @@ export interface paths {
         put?: never;
         /**
          * Rank the collection against an uploaded model
-         * @description The body is a model file (OFF and its relatives, STL, OBJ, PLY, 3MF, glTF, COLLADA, X3D, AMF
-         *     or FBX, points, a volume, or any of them packed by gzip or in a ZIP archive), raw or as the
+         * @description The body is a model file (OFF and its relatives, STL, OBJ, PLY, 3MF, glTF, COLLADA, X3D, AMF,
+         *     FBX, STEP or IGES, points, a volume, or any of them packed by gzip or in a ZIP archive), raw or as the
          *     field `model` of a multipart form; the format follows the contents. Nothing is stored.
          */
         post: operations["search"];
@@ -867,6 +867,13 @@ export interface components {
          *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
          */
         Part: boolean;
+        /**
+         * @description Of a volume (NRRD, NIfTI, binvox, .npy): values of at least this are the model. Found from the values when
+         *     neither this nor `label` is given; other files have no use for it. Refused beside `label`.
+         */
+        Threshold: number;
+        /** @description Of a volume: this value alone is the model. A label that no voxel has is refused (`solid_empty`). */
+        Label: number;
     };
     requestBodies: {
         /** @description A model file with a `Content-Length`. Chunked and compressed bodies are refused (411, 415). */
@@ -946,6 +953,8 @@ export type ParameterClass = components['parameters']['Class'];
 export type ParameterName = components['parameters']['Name'];
 export type ParameterRerank = components['parameters']['Rerank'];
 export type ParameterPart = components['parameters']['Part'];
+export type ParameterThreshold = components['parameters']['Threshold'];
+export type ParameterLabel = components['parameters']['Label'];
 export type RequestBodyModel = components['requestBodies']['Model'];
 export type HeaderRequestId = components['headers']['RequestId'];
 export type HeaderETag = components['headers']['ETag'];
@@ -972,6 +981,13 @@ export interface operations {
                  *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
                  */
                 part?: components["parameters"]["Part"];
+                /**
+                 * @description Of a volume (NRRD, NIfTI, binvox, .npy): values of at least this are the model. Found from the values when
+                 *     neither this nor `label` is given; other files have no use for it. Refused beside `label`.
+                 */
+                threshold?: components["parameters"]["Threshold"];
+                /** @description Of a volume: this value alone is the model. A label that no voxel has is refused (`solid_empty`). */
+                label?: components["parameters"]["Label"];
                 /** @description `mesh` adds a preview mesh of the query to the answer. */
                 include?: "mesh";
                 /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
@@ -1047,6 +1063,13 @@ export interface operations {
                 name?: string;
                 /** @description The model's class, if it has one. */
                 class?: string;
+                /**
+                 * @description Of a volume (NRRD, NIfTI, binvox, .npy): values of at least this are the model. Found from the values when
+                 *     neither this nor `label` is given; other files have no use for it. Refused beside `label`.
+                 */
+                threshold?: components["parameters"]["Threshold"];
+                /** @description Of a volume: this value alone is the model. A label that no voxel has is refused (`solid_empty`). */
+                label?: components["parameters"]["Label"];
             };
             header?: never;
             path?: never;

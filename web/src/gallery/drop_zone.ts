@@ -8,7 +8,7 @@ export interface DropZoneOptions {
 
 const kDefaults: DropZoneOptions = {
     onFile: () => {},
-    hint: 'OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX …, points (XYZ) or a volume, packed or not. Nothing is stored.',
+    hint: 'OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX, STEP …, points (XYZ) or a volume, packed or not. Nothing is stored.',
 };
 
 export interface DropZone {
@@ -55,7 +55,7 @@ export function dropZone(options: Partial<DropZoneOptions> = {}): DropZone {
         type: 'file',
         class: 'visually-hidden',
         id: 'model-file',
-        accept: '.off,.coff,.noff,.stoff,.stl,.obj,.ply,.xyz,.pts,.asc,.3mf,.gltf,.glb,.dae,.x3d,.amf,.fbx,.nrrd,.nii,.binvox,.npy,.gz,.zip,model/*,text/plain',
+        accept: '.off,.coff,.noff,.stoff,.stl,.obj,.ply,.xyz,.pts,.asc,.3mf,.gltf,.glb,.dae,.x3d,.amf,.fbx,.step,.stp,.iges,.igs,.nrrd,.nii,.binvox,.npy,.gz,.zip,model/*,text/plain',
         'aria-label': 'Model file',
         tabindex: -1,
     });

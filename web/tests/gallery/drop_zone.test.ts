@@ -74,5 +74,5 @@ it('offers the files that are read, and says which', () => {
     for (const extension of ['.off', '.stl', '.obj', '.ply']) {
         expect(accept).toContain(extension);
     }
-    expect(zone.node.textContent).toContain('OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX');
+    expect(zone.node.textContent).toContain('OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX, STEP');
 });
