@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -10,9 +9,6 @@
 #include "engine/mesh/triangle_mesh.h"
 
 namespace ossuary::mesh {
-
-/// Red, green and blue.
-using Colour = std::array<std::uint8_t, 3>;
 
 /// The mesh as OFF text. Coordinates are written with the fewest digits that read back as the very
 /// same doubles; triangles stay triangles.
