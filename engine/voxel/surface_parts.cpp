@@ -131,7 +131,8 @@ Grouping orient_patches(GridMesh& mesh, std::span<const std::uint32_t> triangles
         const auto [root, turned] = find(i);
         if (root == i) number[i] = count++;
         patch[i] = number[root];
-        if (turned != 0) mesh.turn_over(triangles[i]);
+        if (turned != 0)
+            std::swap(mesh.triangles[triangles[i]][1], mesh.triangles[triangles[i]][2]);
     }
     return {std::move(patch), count};
 }

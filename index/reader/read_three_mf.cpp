@@ -6,25 +6,22 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "index/reader/scene_builder.h"
+#include "index/reader/three_mf_colours.h"
 #include "index/reader/three_mf_extensions.h"
 
 namespace ossuary::index {
 namespace {
 
+using three_mf::Instance;
+using three_mf::made_by;
 using Matrix4 = Eigen::Matrix4d;
 
 using Handle = NMR::PLib3MFBase;
-
-struct Release {
-    void operator()(Handle* instance) const { NMR::lib3mf_release(instance); }
-};
-using Instance = std::unique_ptr<Handle, Release>;
 
 Error invalid(const std::string& found) {
     return {ErrorCode::kThreeMfInvalid, "expected a 3MF package, found " + found};
@@ -37,14 +34,6 @@ Error library_error(Handle* instance, const char* doing) {
         return invalid(std::string("one that cannot be used (") + doing + ")");
     }
     return invalid("an error (" + std::string(doing) + "): " + text);
-}
-
-/// What a call hands over through its last argument.
-template <typename Call>
-Instance made_by(Call call) {
-    Handle* made = nullptr;
-    if (call(&made) != LIB3MF_OK) made = nullptr;
-    return Instance(made);
 }
 
 /// Rows of the file's matrix are the images of the axes and the origin.
@@ -143,6 +132,7 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
             LIB3MF_OK) {
         return library_error(object, "taking a mesh");
     }
+    const auto colours = three_mf_colours(model_.get(), object, triangles);
     numbers_.clear();
     for (const NMR::MODELMESHVERTEX& vertex : vertices_) {
         const Vec3 local(double{vertex.m_fPosition[0]}, double{vertex.m_fPosition[1]},
@@ -153,7 +143,8 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
         numbers_.push_back(*number);
     }
     const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0.0;
-    for (const NMR::MODELMESHTRIANGLE& triangle : triangles_) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        const NMR::MODELMESHTRIANGLE& triangle = triangles_[t];
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             if (triangle.m_nIndices[corner] >= vertices)
@@ -162,6 +153,9 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
         }
         if (mirrored) std::swap(corners[1], corners[2]);
         if (auto added = scene_.add_face(corners); !added) return added;
+        if (colours.empty() || !colours[t]) continue;
+        const auto& [a, b, c] = *colours[t];
+        scene_.colour_face(corners, std::array{a, mirrored ? c : b, mirrored ? b : c});
     }
     return {};
 }

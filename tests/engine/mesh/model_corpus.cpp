@@ -36,6 +36,12 @@ ModelCase read_case(const fs::path& path) {
         } else if (key == "warning") {
             std::string code;
             lines >> code >> model_case.warnings[code];
+        } else if (key == "colours") {
+            std::getline(lines >> std::ws, model_case.colours.emplace());
+        } else if (key == "unit") {
+            lines >> model_case.metres_per_unit.emplace();
+        } else if (key == "up") {
+            lines >> model_case.up.emplace();
         } else if (key == "code") {
             lines >> model_case.code;
         } else if (key == "line") {
@@ -62,6 +68,27 @@ std::vector<ModelCase> model_cases(const std::string& format, const std::string&
     std::sort(cases.begin(), cases.end(),
               [](const ModelCase& a, const ModelCase& b) { return a.name < b.name; });
     return cases;
+}
+
+std::string colours_text(const mesh::TriangleMesh& mesh) {
+    std::string text;
+    const auto put = [&](const mesh::Colour& colour) {
+        constexpr std::string_view kDigits = "0123456789abcdef";
+        for (const std::uint8_t channel : colour) {
+            text += kDigits[channel / 16];
+            text += kDigits[channel % 16];
+        }
+    };
+    for (const auto& [a, b, c] : mesh.corner_colours) {
+        if (!text.empty()) text += ' ';
+        put(a);
+        if (a == b && b == c) continue;
+        for (const mesh::Colour& other : {b, c}) {
+            text += '/';
+            put(other);
+        }
+    }
+    return text.empty() ? "none" : text;
 }
 
 std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings) {

@@ -57,6 +57,11 @@ TEST_P(ModelCorpusGood, IsReadAsExpected) {
     EXPECT_EQ(read->mesh.face_count, expected.faces);
     EXPECT_EQ(read->mesh.triangles.size(), expected.triangles);
     EXPECT_EQ(counted(read->warnings), expected.warnings);
+    if (expected.colours) {
+        EXPECT_EQ(colours_text(read->mesh), *expected.colours);
+    }
+    EXPECT_EQ(read->metres_per_unit, 0.0);
+    EXPECT_FALSE(read->up);
     if (expected.area) {
         EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *expected.area, 1e-6);
     }

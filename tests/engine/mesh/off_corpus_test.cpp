@@ -22,6 +22,9 @@ TEST_P(OffCorpusGood, IsReadAsExpected) {
     EXPECT_EQ(mesh.face_count, expected.faces);
     EXPECT_EQ(mesh.triangles.size(), expected.triangles);
     EXPECT_EQ(counted(read->warnings), expected.warnings);
+    if (expected.colours) {
+        EXPECT_EQ(colours_text(mesh), *expected.colours);
+    }
     ASSERT_EQ(mesh.face_of_triangle.size(), mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         EXPECT_LT(mesh.face_of_triangle[t], mesh.face_count);
@@ -37,6 +40,7 @@ TEST_P(OffCorpusGood, ComesBackTheSameAfterWriting) {
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->mesh.triangles, read->mesh.triangles);
     EXPECT_EQ(again->mesh.vertices, read->mesh.vertices);
+    EXPECT_EQ(again->mesh.corner_colours, read->mesh.corner_colours);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusGood, testing::ValuesIn(model_cases("off", "ok")),

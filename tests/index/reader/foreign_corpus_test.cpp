@@ -54,7 +54,16 @@ TEST_P(ForeignCorpusGood, IsReadAsExpected) {
         EXPECT_NEAR(measures.surface_area, *expected.area, 1e-6);
     }
     EXPECT_GT(read->metres_per_unit, 0.0);
-    EXPECT_TRUE(read->up);
+    ASSERT_TRUE(read->up);
+    if (expected.metres_per_unit) {
+        EXPECT_NEAR(read->metres_per_unit, *expected.metres_per_unit, 1e-9);
+    }
+    if (expected.up) {
+        EXPECT_EQ("xyz"[static_cast<int>(*read->up)], *expected.up);
+    }
+    if (expected.colours) {
+        EXPECT_EQ(colours_text(read->mesh), *expected.colours);
+    }
 }
 
 TEST_P(ForeignCorpusGood, GivesACodedErrorOrAMeshWhereItIsCutOrDamaged) {
