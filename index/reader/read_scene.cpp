@@ -148,12 +148,15 @@ void SceneReader::colour_face(const aiMesh& mesh, const aiFace& face, bool mirro
                               const mesh::Colour& material) {
     if (!mesh.HasVertexColors(0)) return builder_.colour_face(material);
     colours_.clear();
+    bool said = false;
     for (unsigned int i = 0; i < face.mNumIndices; ++i) {
         const aiColor4D& colour =
             mesh.mColors[0][face.mIndices[mirrored ? face.mNumIndices - 1 - i : i]];
         colours_.push_back(colour_from(colour.r, colour.g, colour.b));
+        // Of AMF, assimp gives vertices without a colour a black one that cannot be seen.
+        said = said || colour.a > 0.0F || !colour.IsBlack();
     }
-    builder_.colour_face(corners_, colours_);
+    if (said) builder_.colour_face(corners_, colours_);
 }
 
 Result<void> SceneReader::add_mesh(const aiMesh& mesh, const Matrix4& matrix) {
