@@ -29,6 +29,22 @@ void put_point(ByteWriter& writer, const Vec3& point) {
     writer.put(point.z());
 }
 
+std::size_t count_colours(PreviewColours::Of of, std::size_t vertices, std::size_t triangles) {
+    switch (of) {
+        case PreviewColours::Of::kNothing:
+            return 0;
+        case PreviewColours::Of::kModel:
+            return 1;
+        case PreviewColours::Of::kVertices:
+            return vertices;
+        case PreviewColours::Of::kTriangles:
+            return triangles;
+        case PreviewColours::Of::kCorners:
+            return 3 * triangles;
+    }
+    return 0;
+}
+
 /// A blob of 32-bit floats behind their number.
 std::string encode_floats(const BlobKind& kind, const std::vector<float>& values) {
     ByteWriter writer;
@@ -158,6 +174,8 @@ std::string encode_preview(const PreviewMesh& mesh) {
     } else {
         writer.put_all<std::uint32_t>(mesh.triangles);
     }
+    writer.put(static_cast<std::uint8_t>(mesh.colours.of));
+    writer.put_all<std::uint8_t>(mesh.colours.bytes);
     return seal_blob(kPreviewBlob, writer.bytes());
 }
 
@@ -177,6 +195,15 @@ Result<PreviewMesh> decode_preview(std::string_view blob) {
     } else {
         const auto indices = reader.get_all<std::uint16_t>(std::size_t{3} * triangles);
         mesh.triangles.assign(indices.begin(), indices.end());
+    }
+    if (blob_version(blob) >= 3) {
+        const auto of = reader.get<std::uint8_t>();
+        if (of > static_cast<std::uint8_t>(PreviewColours::Of::kCorners)) {
+            return corrupt_blob(kPreviewBlob, "colours of what there is not");
+        }
+        mesh.colours.of = static_cast<PreviewColours::Of>(of);
+        mesh.colours.bytes =
+            reader.get_all<std::uint8_t>(3 * count_colours(mesh.colours.of, vertices, triangles));
     }
     if (!reader.ok() || !reader.at_end()) return corrupt_blob(kPreviewBlob, "wrong length");
     if (!all_finite(mesh.positions) || !mesh.origin.allFinite())

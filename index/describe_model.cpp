@@ -13,6 +13,7 @@
 #include "index/companion_hash.h"
 #include "index/content_hash.h"
 #include "index/model_segments.h"
+#include "index/preview.h"
 #include "index/turn_model.h"
 #include "index/upright.h"
 
@@ -24,13 +25,6 @@ constexpr std::size_t kPreviewTriangles = 2000;
 
 Error describing_cancelled(std::string_view name) {
     return {ErrorCode::kCancelled, std::string(name) + ": describing it was cancelled"};
-}
-
-/// As the file says, else as the shape suggests.
-Up up_of(const mesh::ReadMeshResult& read, const mesh::TriangleMesh& coarse) {
-    if (read.up == mesh::UpAxis::kY) return Up::kY;
-    if (read.up == mesh::UpAxis::kZ) return Up::kZ;
-    return find_up(coarse);
 }
 
 Result<NewModel> describe_checked(const ModelSource& source, const IndexParameters& parameters,
@@ -64,8 +58,9 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
         mesh::decimate(body, {.max_triangles = kPreviewTriangles}, stop);
     model.preview = make_preview(coarse);
     if (stop.stop_requested()) return describing_cancelled(source.name);
-    model.summary.orientation = {source.up ? *source.up : up_of(*read, coarse),
-                                 source.up.has_value()};
+    model.summary.frame = frame_of(*read);
+    const Up found = model.summary.frame.up ? *model.summary.frame.up : find_up(coarse);
+    model.summary.orientation = {source.up ? *source.up : found, source.up.has_value()};
     auto thumbnail = render_thumbnail(body, thumbnail_options(model.summary.orientation.up), stop);
     if (thumbnail) {
         model.thumbnail = *std::move(thumbnail);
@@ -101,6 +96,23 @@ Result<NewModel> describe_model(const ModelSource& source, const IndexParameters
     }
 }
 
+FileFrame frame_of(const mesh::ReadMeshResult& read) {
+    FileFrame frame{read.metres_per_unit, {}};
+    if (!read.up) return frame;
+    switch (*read.up) {
+        case mesh::UpAxis::kX:
+            frame.up = Up::kX;
+            break;
+        case mesh::UpAxis::kY:
+            frame.up = Up::kY;
+            break;
+        case mesh::UpAxis::kZ:
+            frame.up = Up::kZ;
+            break;
+    }
+    return frame;
+}
+
 void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& coarse,
                   std::stop_token stop) {
     auto segments = segment_model(mesh, coarse, model.skeleton, std::move(stop));
@@ -110,24 +122,6 @@ void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::T
         model.summary.warnings.push_back(
             {std::string(kSegmentsMissing), 1, segments.error().message});
     }
-}
-
-PreviewMesh make_preview(const mesh::TriangleMesh& coarse) {
-    PreviewMesh preview;
-    const Box3 bounds = mesh::measure(coarse).bounds;
-    if (!bounds.isEmpty()) preview.origin = bounds.center();
-    preview.positions.reserve(coarse.vertices.size() * 3);
-    for (const Vec3& vertex : coarse.vertices) {
-        const Vec3 from_origin = vertex - preview.origin;
-        for (const double coordinate : {from_origin.x(), from_origin.y(), from_origin.z()}) {
-            preview.positions.push_back(static_cast<float>(coordinate));
-        }
-    }
-    preview.triangles.reserve(coarse.triangles.size() * 3);
-    for (const mesh::TriangleMesh::Triangle& triangle : coarse.triangles) {
-        preview.triangles.insert(preview.triangles.end(), triangle.begin(), triangle.end());
-    }
-    return preview;
 }
 
 }  // namespace ossuary::index

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/core/result.h"
+#include "engine/mesh/read_mesh.h"
 #include "index/model.h"
 #include "index/model_reader.h"
 
@@ -35,13 +36,13 @@ struct ModelSource {
 Result<NewModel> describe_model(const ModelSource& source, const IndexParameters& parameters,
                                 std::stop_token stop = {});
 
+/// What a file that has been read says of its unit and axes.
+[[nodiscard]] FileFrame frame_of(const mesh::ReadMeshResult& read);
+
 /// Cuts a described model into parts, the last and least needed stage of its description: where
 /// that fails or `stop` is requested, the model gets the warning kSegmentsMissing instead.
 /// @param coarse  the mesh of `model.preview`, at full precision
 void add_segments(NewModel& model, const mesh::TriangleMesh& mesh, const mesh::TriangleMesh& coarse,
                   std::stop_token stop);
-
-/// The mesh as viewers are given it.
-[[nodiscard]] PreviewMesh make_preview(const mesh::TriangleMesh& coarse);
 
 }  // namespace ossuary::index

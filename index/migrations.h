@@ -22,5 +22,7 @@ struct Migration {
 inline constexpr int kFirstVersionWithCollection = 2;  ///< statistics, evaluations
 inline constexpr int kFirstVersionWithSegments = 3;
 inline constexpr int kFirstVersionWithUploads = 4;  ///< and with checksums of rows
+inline constexpr int kFirstVersionWithOrientations = 5;
+inline constexpr int kFirstVersionWithFrames = 6;  ///< what files say of units and axes
 
 }  // namespace ossuary::index

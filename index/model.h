@@ -48,6 +48,14 @@ struct Orientation {
     bool operator==(const Orientation&) const = default;
 };
 
+/// What a model's file, or its format, says of its coordinates.
+struct FileFrame {
+    double metres_per_unit = 0.0;  ///< 0 where it names no unit
+    std::optional<Up> up;
+
+    bool operator==(const FileFrame&) const = default;
+};
+
 /// What lists and pages show of a model.
 struct ModelSummary {
     ModelId id = 0;
@@ -62,8 +70,24 @@ struct ModelSummary {
     Box3 bounds;                 ///< model units
     double surface_area = 0.0;   ///< model units squared
     Orientation orientation;
+    FileFrame frame;
     std::vector<mesh::MeshWarning> warnings;
     std::string indexed_at;  ///< ISO 8601, UTC, e.g. 2026-01-01T00:00:00Z
+};
+
+/// The colours of a preview, sRGB.
+struct PreviewColours {
+    enum class Of : std::uint8_t {
+        kNothing,    ///< the file has none
+        kModel,      ///< one for all
+        kVertices,   ///< between which they run evenly
+        kTriangles,  ///< each of one colour
+        kCorners,    ///< three for each triangle, between which they run evenly
+    };
+    Of of = Of::kNothing;
+    std::vector<std::uint8_t> bytes;  ///< red, green, blue of each
+
+    bool operator==(const PreviewColours&) const = default;
 };
 
 /// A coarse copy of a model for viewers: at most about 2000 triangles.
@@ -73,6 +97,7 @@ struct PreviewMesh {
     Vec3 origin = Vec3::Zero();
     std::vector<float> positions;          ///< x y z a vertex from `origin`, model units
     std::vector<std::uint32_t> triangles;  ///< three vertex indices a triangle
+    PreviewColours colours;
 };
 
 /// The parts of a model: those of the whole mesh, and where they are on the preview.

@@ -12,24 +12,9 @@
 #include "index/coloured_parts.h"
 #include "index/gltf.h"
 #include "index/presentation.h"
+#include "index/preview.h"
 
 namespace ossuary::index {
-
-mesh::TriangleMesh mesh_of(const PreviewMesh& preview) {
-    mesh::TriangleMesh mesh;
-    for (std::size_t i = 0; i + 2 < preview.positions.size(); i += 3) {
-        mesh.vertices.push_back(preview.origin +
-                                Vec3{static_cast<double>(preview.positions[i]),
-                                     static_cast<double>(preview.positions[i + 1]),
-                                     static_cast<double>(preview.positions[i + 2])});
-    }
-    for (std::size_t i = 0; i + 2 < preview.triangles.size(); i += 3) {
-        mesh.face_of_triangle.push_back(mesh.face_count++);
-        mesh.triangles.push_back(
-            {preview.triangles[i], preview.triangles[i + 1], preview.triangles[i + 2]});
-    }
-    return mesh;
-}
 
 namespace {
 

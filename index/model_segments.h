@@ -11,9 +11,6 @@
 
 namespace ossuary::index {
 
-/// A preview as a mesh, each triangle a face.
-[[nodiscard]] mesh::TriangleMesh mesh_of(const PreviewMesh& preview);
-
 /// Cuts a model into the parts that people would see (decompose with its defaults, as `ossuary
 /// segment` does) and carries them over to its preview (carry_labels.h). Each part has the branch
 /// of the stored skeleton that most of its area on the preview is mapped to (thesis eq. 3.9;

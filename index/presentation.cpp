@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "index/unit.h"
+
 namespace ossuary::index {
 
 namespace {
@@ -28,6 +30,40 @@ void add_metrics(json& out, const ranking::RetrievalMetrics& metrics) {
     out["e_measure"] = metrics.e_measure;
     out["dcg"] = metrics.dcg;
     out["mean_average_precision"] = metrics.mean_average_precision;
+}
+
+/// {unit, metres_per_unit}
+void add_unit(json& out, const FileFrame& frame) {
+    const bool known = frame.metres_per_unit > 0.0;
+    out["unit"] = known ? json(unit_name(frame.metres_per_unit)) : json();
+    out["metres_per_unit"] = known ? json(frame.metres_per_unit) : json();
+}
+
+/// Who says which axis of a model points up.
+std::string_view up_from(const ModelSummary& model) {
+    if (model.orientation.said_by_person) return "person";
+    return model.frame.up == model.orientation.up ? "file" : "shape";
+}
+
+std::string_view name_of(PreviewColours::Of of) {
+    switch (of) {
+        case PreviewColours::Of::kNothing:
+            break;
+        case PreviewColours::Of::kModel:
+            return "model";
+        case PreviewColours::Of::kVertices:
+            return "vertices";
+        case PreviewColours::Of::kTriangles:
+            return "triangles";
+        case PreviewColours::Of::kCorners:
+            return "corners";
+    }
+    return "nothing";
+}
+
+json to_json(const PreviewColours& colours) {
+    if (colours.of == PreviewColours::Of::kNothing) return {};
+    return {{"of", name_of(colours.of)}, {"values", colours.bytes}};
 }
 
 json compared(const ComparedModel& model) {
@@ -118,24 +154,28 @@ json to_json(const PreviewMesh& mesh, const Box3& bounds) {
     return {{"origin", {mesh.origin.x(), mesh.origin.y(), mesh.origin.z()}},
             {"positions", mesh.positions},
             {"triangles", mesh.triangles},
+            {"colours", to_json(mesh.colours)},
             {"bounds", to_json(bounds)}};
 }
 
 json to_json(const ModelSummary& model) {
-    return {{"id", model.id},
-            {"name", model.name},
-            {"class", class_or_null(model.class_name)},
-            {"path", model.path},
-            {"content_hash", model.content_hash},
-            {"vertices", model.vertices},
-            {"faces", model.faces},
-            {"nodes", model.nodes},
-            {"branches", model.branches},
-            {"bounds", to_json(model.bounds)},
-            {"surface_area", model.surface_area},
-            {"up", to_string(model.orientation.up)},
-            {"indexed_at", model.indexed_at},
-            {"warnings", to_json(model.warnings)}};
+    json out = {{"id", model.id},
+                {"name", model.name},
+                {"class", class_or_null(model.class_name)},
+                {"path", model.path},
+                {"content_hash", model.content_hash},
+                {"vertices", model.vertices},
+                {"faces", model.faces},
+                {"nodes", model.nodes},
+                {"branches", model.branches},
+                {"bounds", to_json(model.bounds)},
+                {"surface_area", model.surface_area},
+                {"up", to_string(model.orientation.up)},
+                {"up_from", up_from(model)},
+                {"indexed_at", model.indexed_at},
+                {"warnings", to_json(model.warnings)}};
+    add_unit(out, model.frame);
+    return out;
 }
 
 json to_json(const Failure& failure) {
@@ -163,6 +203,13 @@ json to_json(const SearchResult& result, const QueryDescription& query,
              const ranking::RankOptions& options) {
     json hits = json::array();
     for (const Hit& hit : result.hits) hits.push_back(to_json(hit));
+    json about = {{"name", query.name},
+                  {"vertices", query.vertices},
+                  {"faces", query.faces},
+                  {"warnings", to_json(result.warnings)},
+                  {"skeleton", to_json(result.query_skeleton)}};
+    add_unit(about, query.frame);
+    if (query.up) about["up"] = to_string(*query.up);
     return {{"took_ms", result.took_ms},
             {"stages_ms", to_json(result.stages_ms)},
             {"ranker", to_string(options.ranker)},
@@ -172,12 +219,7 @@ json to_json(const SearchResult& result, const QueryDescription& query,
             {"part", options.part},
             {"models", result.models},
             {"revision", result.revision},
-            {"query",
-             {{"name", query.name},
-              {"vertices", query.vertices},
-              {"faces", query.faces},
-              {"warnings", to_json(result.warnings)},
-              {"skeleton", to_json(result.query_skeleton)}}},
+            {"query", std::move(about)},
             {"hits", std::move(hits)}};
 }
 

@@ -48,6 +48,9 @@ struct QueryDescription {
     std::string name;
     std::size_t vertices = 0;
     std::size_t faces = 0;
+    FileFrame frame = {};
+    /// How it is best looked at: as its file says, else as found; none = nobody asked.
+    std::optional<Up> up = {};
 };
 /// A whole search answer.
 [[nodiscard]] nlohmann::json to_json(const SearchResult& result, const QueryDescription& query,

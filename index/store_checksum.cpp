@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <iterator>
 #include <new>
 
 #include "index/bytes.h"
@@ -64,11 +65,17 @@ constexpr std::array kTables = {
     ChecksummedTable{"uploads", "id",
                      "id, name, class, content_hash, size, state, claimant, attempts, model, code, "
                      "message, accepted_at, finished_at"},
+    ChecksummedTable{"file_frames", "model", "model, metres_per_unit, up", kFirstVersionWithFrames},
 };
 
 }  // namespace
 
-std::span<const ChecksummedTable> checksummed_tables() { return kTables; }
+std::vector<ChecksummedTable> checksummed_tables(int version) {
+    std::vector<ChecksummedTable> tables;
+    std::copy_if(kTables.begin(), kTables.end(), std::back_inserter(tables),
+                 [&](const ChecksummedTable& table) { return table.since <= version; });
+    return tables;
+}
 
 void add_checksum_function(SQLite::Database& database) {
     constexpr int kAnyCount = -1;
@@ -88,8 +95,8 @@ std::string seal_rows(std::string_view table, std::string_view where) {
            std::string(where);
 }
 
-void seal_unsealed_rows(SQLite::Database& database) {
-    for (const ChecksummedTable& table : kTables) {
+void seal_unsealed_rows(SQLite::Database& database, int version) {
+    for (const ChecksummedTable& table : checksummed_tables(version)) {
         database.exec(seal_rows(table.table, "checksum IS NULL"));
     }
 }

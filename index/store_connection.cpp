@@ -49,7 +49,7 @@ void migrate(Connection& connection) {
         if (connection.integer("PRAGMA user_version") >= migration.version) continue;
         connection.database().exec(std::string(migration.sql));
         if (migration.version == kFirstVersionWithUploads) {
-            seal_unsealed_rows(connection.database());
+            seal_unsealed_rows(connection.database(), migration.version);
         }
         connection.database().exec("PRAGMA user_version = " + std::to_string(migration.version));
         transaction.commit();
@@ -81,7 +81,7 @@ void initialize(Connection& connection, const IndexParameters& parameters) {
         insert.exec();
         insert.reset();
     }
-    seal_unsealed_rows(database);
+    seal_unsealed_rows(database, schema_version());
     transaction.commit();
 }
 

@@ -87,10 +87,12 @@ inline constexpr std::string_view kSummaryColumns =
     "max_x, max_y, max_z, surface_area, warnings, indexed_at";
 inline constexpr int kSummaryColumnCount = 18;
 
-/// What `select_summaries` adds to them.
-inline constexpr std::string_view kOrientationColumns =
+/// What `select_summaries` adds to them: how the model stands, and what its file says.
+inline constexpr std::string_view kStandingColumns =
     "(SELECT up FROM orientations WHERE model = models.id), "
-    "(SELECT said_by FROM orientations WHERE model = models.id)";
+    "(SELECT said_by FROM orientations WHERE model = models.id), "
+    "(SELECT metres_per_unit FROM file_frames WHERE model = models.id), "
+    "(SELECT up FROM file_frames WHERE model = models.id)";
 
 /// The summary in the first columns of the current row. Errors: index_corrupt.
 Result<ModelSummary> summary_from(const Query& query);
@@ -98,7 +100,7 @@ Result<ModelSummary> summary_from(const Query& query);
 /// The summary in the current row of `select_summaries`. Errors: index_corrupt.
 Result<ModelSummary> selected_summary(const Query& query);
 
-/// "SELECT <summary columns>, <orientation columns> FROM models <rest>"
+/// "SELECT <summary columns>, <standing columns> FROM models <rest>"
 std::string select_summaries(std::string_view rest);
 
 /// A model's descriptor from the three blobs, with its derived data. Errors: index_corrupt.

@@ -39,7 +39,7 @@ void bind_filter(Query& query, const ModelFilter& filter, ModelId after) {
 }  // namespace
 
 std::string select_summaries(std::string_view rest) {
-    return "SELECT " + std::string(kSummaryColumns) + ", " + std::string(kOrientationColumns) +
+    return "SELECT " + std::string(kSummaryColumns) + ", " + std::string(kStandingColumns) +
            " FROM models " + std::string(rest);
 }
 
@@ -68,14 +68,25 @@ Result<ModelSummary> summary_from(const Query& query) {
 }
 
 Result<ModelSummary> selected_summary(const Query& query) {
+    constexpr int kUp = kSummaryColumnCount;
+    constexpr int kSaidBy = kUp + 1, kUnit = kUp + 2, kFileUp = kUp + 3;
     auto summary = summary_from(query);
-    if (!summary || query.is_null(kSummaryColumnCount)) return summary;
-    const auto up = parse_up(query.text(kSummaryColumnCount));
-    if (!up) {
+    if (!summary) return summary;
+    const auto damaged = [&](const Error& error) -> Error {
         return {ErrorCode::kIndexCorrupt,
-                "model " + std::to_string(summary->id) + ": " + up.error().message};
+                "model " + std::to_string(summary->id) + ": " + error.message};
+    };
+    if (!query.is_null(kUp)) {
+        const auto up = parse_up(query.text(kUp));
+        if (!up) return damaged(up.error());
+        summary->orientation = {*up, query.text(kSaidBy) == "person"};
     }
-    summary->orientation = {*up, query.text(kSummaryColumnCount + 1) == "person"};
+    if (!query.is_null(kUnit)) summary->frame.metres_per_unit = query.real(kUnit);
+    if (!query.is_null(kFileUp)) {
+        const auto up = parse_up(query.text(kFileUp));
+        if (!up) return damaged(up.error());
+        summary->frame.up = *up;
+    }
     return summary;
 }
 

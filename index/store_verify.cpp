@@ -147,6 +147,18 @@ private:
         check_skeleton(subject, summary, descriptor);
         check_pictures(subject, summary.id);
         check_segments(subject, summary);
+        check_frame(subject, summary.id);
+    }
+    void check_frame(const std::string& subject, ModelId id) {
+        if (impl_.version < kFirstVersionWithFrames) return;
+        Query row(impl_.statement("SELECT metres_per_unit, up FROM file_frames WHERE model = ?"));
+        if (!row.bind(id).step()) return;
+        if (!row.is_null(0) && !(std::isfinite(row.real(0)) && row.real(0) > 0.0)) {
+            find(subject, "its file's unit is no length");
+        }
+        if (!row.is_null(1) && !parse_up(row.text(1))) {
+            find(subject, "the axis that its file says is up is none");
+        }
     }
     void check_skeleton(const std::string& subject, const ModelSummary& summary,
                         const matching::SkeletonDescriptor& descriptor) {

@@ -71,7 +71,7 @@ void verify_schema(Store::Impl& impl, VerifyReport& report) {
 }
 
 void verify_checksums(Store::Impl& impl, VerifyReport& report) {
-    for (const ChecksummedTable& table : checksummed_tables()) {
+    for (const ChecksummedTable& table : checksummed_tables(impl.version)) {
         const std::string name(table.table);
         Query rows(impl.statement("SELECT " + std::string(table.key) + " FROM " + name +
                                   " WHERE checksum IS NOT " + checksum_of(table)));

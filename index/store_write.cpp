@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "index/codec.h"
 #include "index/content_hash.h"
 #include "index/store_impl.h"
@@ -47,6 +49,7 @@ Result<EncodedModel> encode(const NewModel& model) {
     if (!model.summary.bounds.min().allFinite() || !model.summary.bounds.max().allFinite()) {
         wrong = "bounds that are not finite";
     }
+    if (!std::isfinite(model.summary.frame.metres_per_unit)) wrong = "a unit that is not finite";
     if (!wrong.empty()) {
         return {ErrorCode::kInternal, "a description that cannot be stored: " + wrong};
     }
@@ -91,6 +94,7 @@ private:
     ModelId put_row(const ModelSummary& summary, std::optional<ModelId> id);
     void put_parts(ModelId id, const NewModel& model, const EncodedModel& encoded);
     void put_orientation(ModelId id, const Orientation& orientation);
+    void put_frame(ModelId id, const FileFrame& frame);
     Result<ModelId> put(const NewModel& model);
     void forget_failure(const std::string& path) {
         query("DELETE FROM failures WHERE path = ?").bind(path).run();
@@ -193,6 +197,17 @@ void Writer::put_orientation(ModelId id, const Orientation& orientation) {
         .run();
 }
 
+void Writer::put_frame(ModelId id, const FileFrame& frame) {
+    Query put(impl_.statement(
+        "INSERT INTO file_frames (model, metres_per_unit, up) VALUES (?, ?, ?) ON CONFLICT (model) "
+        "DO UPDATE SET metres_per_unit = excluded.metres_per_unit, up = excluded.up"));
+    put.bind(id, nullptr, nullptr);
+    if (frame.metres_per_unit > 0.0) put.bind_at(2, frame.metres_per_unit);
+    if (frame.up) put.bind_at(3, to_string(*frame.up));
+    put.run();
+    impl_.seal("file_frames", "model = ?", id);
+}
+
 Result<ModelId> Writer::operator()(const PutModel& change) { return put(change.model); }
 
 Result<ModelId> Writer::put(const NewModel& model) {
@@ -208,6 +223,7 @@ Result<ModelId> Writer::put(const NewModel& model) {
     const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
     put_parts(id, model, *encoded);
     put_orientation(id, summary.orientation);
+    put_frame(id, summary.frame);
     forget_failure(summary.path);
     return id;
 }

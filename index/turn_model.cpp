@@ -1,6 +1,6 @@
 #include "index/turn_model.h"
 
-#include "index/model_segments.h"
+#include "index/preview.h"
 #include "index/upright.h"
 
 namespace ossuary::index {
@@ -18,7 +18,8 @@ Result<TurnModel> plan_turn(Store& store, ModelId id, std::optional<Up> up) {
     const auto preview = store.preview(id);
     if (!preview) return preview.error();
     const mesh::TriangleMesh mesh = mesh_of(*preview);
-    TurnModel turn{id, {up ? *up : find_up(mesh), up.has_value()}, {}};
+    const Up found = model->frame.up ? *model->frame.up : find_up(mesh);
+    TurnModel turn{id, {up ? *up : found, up.has_value()}, {}};
     if (turn.orientation.up == model->orientation.up) return turn;
     auto thumbnail = render_thumbnail(mesh, thumbnail_options(turn.orientation.up));
     if (thumbnail) {

@@ -14,7 +14,7 @@ namespace ossuary::index {
 
 /// The change that lets an indexed model stand by another axis: its thumbnail, if that is another
 /// than before, is drawn anew from its preview.
-/// @param up  what a person says; none = to be found again
+/// @param up  what a person says; none = as the file says, else to be found again
 /// Errors: model_not_found, those of the store and of render_thumbnail.
 Result<TurnModel> plan_turn(Store& store, ModelId id, std::optional<Up> up);
 

@@ -14,7 +14,7 @@ using Vec2 = Eigen::Vector2d;
 /// So much more must speak for an axis than for the convention's.
 constexpr double kMargin = 0.03;
 
-int axis_of(Up up) { return up == Up::kY ? 1 : 2; }
+int axis_of(Up up) { return static_cast<int>(up); }
 
 Box3 bounds_of(const mesh::TriangleMesh& mesh) {
     Box3 bounds;

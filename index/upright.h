@@ -18,8 +18,8 @@ struct UprightEvidence {
 /// @pre a mesh with triangles and extent
 [[nodiscard]] UprightEvidence upright_evidence(const mesh::TriangleMesh& mesh, Up up);
 
-/// The axis that more speaks for (the sum of the evidence), or `convention`, what the file's format
-/// says or means, where both speak alike. A guess: see docs/operations.md for how often it is
+/// The axis, y or z, that more speaks for (the sum of the evidence), or `convention`, one of these,
+/// where both speak alike. A guess: see docs/operations.md for how often it is
 /// right.
 [[nodiscard]] Up find_up(const mesh::TriangleMesh& mesh, Up convention = Up::kY);
 

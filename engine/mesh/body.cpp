@@ -116,6 +116,7 @@ TriangleMesh without_groups(const TriangleMesh& mesh, const std::vector<Triangle
         for (const std::uint32_t t : group) stays[t] = 0;
     }
     const bool mapped = mesh.face_of_triangle.size() == mesh.triangles.size();
+    const bool coloured = !mesh.corner_colours.empty();
     TriangleMesh left;
     left.vertices = mesh.vertices;
     left.face_count = mesh.face_count;
@@ -123,6 +124,7 @@ TriangleMesh without_groups(const TriangleMesh& mesh, const std::vector<Triangle
         if (stays[t] == 0) continue;
         left.triangles.push_back(mesh.triangles[t]);
         if (mapped) left.face_of_triangle.push_back(mesh.face_of_triangle[t]);
+        if (coloured) left.corner_colours.push_back(mesh.corner_colours[t]);
     }
     return left;
 }

@@ -94,6 +94,7 @@ struct Survivors {
     /// Each once whatever its orientation, in the order of the input; one too many, where there are
     /// more than were asked for.
     std::vector<TriangleMesh::Triangle> triangles;
+    std::vector<std::uint32_t> sources;  ///< of each, in the input
     double estimate = 0;  ///< how many there are in all, by the share of the mesh that was read
 };
 
@@ -107,7 +108,7 @@ Survivors surviving_triangles(const TriangleMesh& mesh, const Clusters& clusters
     std::size_t seen = 0;
     for (TriangleMesh::Triangle triangle : mesh.triangles) {
         if (survivors.triangles.size() > most) break;
-        ++seen;
+        const auto source = static_cast<std::uint32_t>(seen++);
         for (std::uint32_t& vertex : triangle) vertex = clusters.of_vertex[vertex];
         TriangleMesh::Triangle key = triangle;
         if (key[0] > key[1]) std::swap(key[0], key[1]);
@@ -124,6 +125,7 @@ Survivors surviving_triangles(const TriangleMesh& mesh, const Clusters& clusters
         if (table[slot] != kFree) continue;
         table[slot] = static_cast<std::uint32_t>(survivors.triangles.size());
         survivors.triangles.push_back(triangle);
+        survivors.sources.push_back(source);
         sorted.push_back(key);
     }
     survivors.estimate = static_cast<double>(survivors.triangles.size()) *
@@ -164,6 +166,7 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     int fits = 0;
     int too_fine = kFinest + 1;
     Clusters best;
+    std::vector<std::uint32_t> sources;
     while (too_fine - fits > 1) {
         const double inside = std::clamp(guess, fits + 1.0, too_fine - 1.0);
         const int cells = static_cast<int>(inside);
@@ -176,6 +179,7 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
         }
         fits = cells;
         coarse.triangles = std::move(survivors.triangles);
+        sources = std::move(survivors.sources);
         best = std::move(clusters);
         const auto count = static_cast<double>(coarse.triangles.size());
         if (count > 0.93 * static_cast<double>(max_triangles)) break;
@@ -184,6 +188,11 @@ TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangle
     coarse.face_count = static_cast<std::uint32_t>(coarse.triangles.size());
     coarse.face_of_triangle.resize(coarse.triangles.size());
     std::iota(coarse.face_of_triangle.begin(), coarse.face_of_triangle.end(), 0u);
+    if (!mesh.corner_colours.empty()) {
+        for (const std::uint32_t source : sources) {
+            coarse.corner_colours.push_back(mesh.corner_colours[source]);
+        }
+    }
     return coarse;
 }
 

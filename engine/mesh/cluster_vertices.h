@@ -10,7 +10,8 @@ namespace ossuary::mesh {
 /// their mean weighted by the area around them; triangles that collapse or repeat are dropped
 /// (Rossignac and Borrel, Multi-resolution 3D Approximations for Rendering Complex Scenes, 1993).
 /// The grid, of at most 1024 cells along the longest side, is chosen so that nearly `max_triangles`
-/// are left where it can be, and never more. Keeps no topology. Empty for a mesh without extent.
+/// are left where it can be, and never more. Keeps no topology; each triangle keeps its colours.
+/// Empty for a mesh without extent.
 TriangleMesh cluster_vertices(const TriangleMesh& mesh, std::size_t max_triangles);
 
 }  // namespace ossuary::mesh

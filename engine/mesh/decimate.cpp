@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/mesh/cluster_vertices.h"
+#include "engine/mesh/colours_on.h"
 #include "engine/mesh/halfedge_mesh.h"
 #include "engine/mesh/measures.h"
 #include "engine/mesh/orient.h"
@@ -39,6 +40,7 @@ TriangleMesh collapse_edges(const TriangleMesh& mesh, std::size_t max_triangles)
         positions.front().data(), positions.size(), sizeof(Eigen::Vector3f), 3 * max_triangles,
         std::numeric_limits<float>::max(), 0, nullptr);
     result.triangles.resize(corners / 3);
+    result.corner_colours.clear();
     return result;
 }
 
@@ -83,7 +85,9 @@ TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options,
         coarse = collapse_edges_beyond_seams(orient(at_most(fine, few)).mesh, wanted);
     }
     if (coarse.triangles.size() > wanted) coarse = cluster_vertices(fine, wanted);
-    return compact(coarse);
+    coarse = compact(coarse);
+    coarse.corner_colours = colours_on(coarse, fine);
+    return coarse;
 }
 
 }  // namespace ossuary::mesh

@@ -16,7 +16,8 @@ struct DecimateOptions {
 /// edges are collapsed by quadric error (Garland and Heckbert, Surface Simplification Using Quadric
 /// Error Metrics, 1997), and where that cannot reach the bound (soups of many small pieces),
 /// vertices are clustered. Triangles may be turned over so that neighbours agree.
-/// `face_of_triangle` of the result numbers its own triangles. Takes some tenths of a second for a
+/// `face_of_triangle` of the result numbers its own triangles; its colours are those that the mesh
+/// has there. Takes some tenths of a second for a
 /// million triangles. Once `stop` is requested the result may be finer than asked for.
 TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options = {},
                       const std::stop_token& stop = {});

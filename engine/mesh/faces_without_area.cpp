@@ -132,6 +132,7 @@ WithoutEmptyFaces without_empty_faces(const TriangleMesh& mesh) {
     const Anchors anchors = find_anchors(mesh, welded, area, kept);
 
     const bool mapped = mesh.face_of_triangle.size() == mesh.triangles.size();
+    const bool coloured = !mesh.corner_colours.empty();
     TriangleMesh left;
     left.face_count = mesh.face_count;
     bool any_drawn = false;
@@ -156,6 +157,7 @@ WithoutEmptyFaces without_empty_faces(const TriangleMesh& mesh) {
         }
         left.triangles.push_back(triangle);
         if (mapped) left.face_of_triangle.push_back(mesh.face_of_triangle[t]);
+        if (coloured) left.corner_colours.push_back(mesh.corner_colours[t]);
     }
     if (result.removed == 0 && !any_drawn) return result;
     left.vertices = mesh.vertices;

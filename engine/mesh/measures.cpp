@@ -34,9 +34,12 @@ std::vector<double> triangle_areas(const TriangleMesh& mesh) {
 bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle) {
     const TriangleMesh::Triangle& t = mesh.triangles[triangle];
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
-    const auto [a, b, c] = mesh.corners(triangle);
+    // Copies of the corners and a list for the largest of three took half as long again.
+    const Vec3& a = mesh.vertices[t[0]];
+    const Vec3& b = mesh.vertices[t[1]];
+    const Vec3& c = mesh.vertices[t[2]];
     const double longest =
-        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        std::max(std::max((b - a).squaredNorm(), (c - b).squaredNorm()), (a - c).squaredNorm());
     return (b - a).cross(c - a).norm() <= 1e-12 * longest;
 }
 

@@ -83,11 +83,13 @@ void drop_repeated(MendedSurface& surface) {
         if (!mesh.face_of_triangle.empty()) {
             mesh.face_of_triangle[kept] = mesh.face_of_triangle[t];
         }
+        if (!mesh.corner_colours.empty()) mesh.corner_colours[kept] = mesh.corner_colours[t];
         ++kept;
     }
     surface.repeated_triangles = first.size() - kept;
     mesh.triangles.resize(kept);
     if (!mesh.face_of_triangle.empty()) mesh.face_of_triangle.resize(kept);
+    if (!mesh.corner_colours.empty()) mesh.corner_colours.resize(kept);
 }
 
 /// Lets each triangle begin at its first corner by position, and numbers the vertices as the
@@ -101,9 +103,16 @@ void begin_at_first_corners(MendedSurface& surface) {
     std::vector<std::uint32_t> number(mesh.vertices.size(), MendedSurface::kUnused);
     std::vector<Vec3> vertices;
     vertices.reserve(mesh.vertices.size());
-    for (TriangleMesh::Triangle& triangle : mesh.triangles) {
-        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end(), before),
-                    triangle.end());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        TriangleMesh::Triangle& triangle = mesh.triangles[t];
+        const auto first = std::min_element(triangle.begin(), triangle.end(), before);
+        if (!mesh.corner_colours.empty()) {
+            const CornerColours colours = mesh.corner_colours[t];
+            const auto corner = static_cast<std::size_t>(first - triangle.begin());
+            mesh.corner_colours[t] = {colours[corner], colours[(corner + 1) % 3],
+                                      colours[(corner + 2) % 3]};
+        }
+        std::rotate(triangle.begin(), first, triangle.end());
         for (std::uint32_t& vertex : triangle) {
             if (number[vertex] == MendedSurface::kUnused) {
                 number[vertex] = static_cast<std::uint32_t>(vertices.size());
@@ -187,8 +196,7 @@ void turn_over(MendedSurface& surface, const std::vector<bool>& chosen) {
     assert(chosen.size() == surface.patches.size());
     for (std::size_t t = 0; t < surface.patch_of.size(); ++t) {
         if (!chosen[surface.patch_of[t]]) continue;
-        auto& triangle = surface.mesh.triangles[t];
-        std::swap(triangle[1], triangle[2]);
+        surface.mesh.turn_over(t);
         surface.turned[t] ^= 1;
     }
     for (std::size_t p = 0; p < chosen.size(); ++p) {

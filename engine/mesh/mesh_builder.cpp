@@ -1,10 +1,16 @@
 #include "engine/mesh/mesh_builder.h"
 
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <cmath>
 
 namespace ossuary::mesh {
+namespace {
+
+constexpr CornerColours kPlainCorners = {kPlainColour, kPlainColour, kPlainColour};
+
+}  // namespace
 
 std::string number_text(double value) {
     std::array<char, 32> digits{};
@@ -91,7 +97,55 @@ Result<void> MeshBuilder::add_polygon(std::span<const std::uint32_t> corners) {
     return {};
 }
 
+std::size_t MeshBuilder::first_triangle_of_last_face() const {
+    const std::uint32_t face = mesh_.face_count - 1;
+    std::size_t first = mesh_.triangles.size();
+    while (first > 0 && mesh_.face_of_triangle[first - 1] == face) --first;
+    return first;
+}
+
+void MeshBuilder::colour_face(const Colour& colour) {
+    mesh_.corner_colours.resize(first_triangle_of_last_face(), kPlainCorners);
+    mesh_.corner_colours.resize(mesh_.triangles.size(), {colour, colour, colour});
+}
+
+void MeshBuilder::colour_face(std::span<const std::uint32_t> corners,
+                              std::span<const Colour> colours) {
+    assert(corners.size() == colours.size());
+    const std::size_t first = first_triangle_of_last_face();
+    mesh_.corner_colours.resize(first, kPlainCorners);
+    colour_of_corner_.resize(mesh_.vertices.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) colour_of_corner_[corners[i]] = colours[i];
+    for (std::size_t t = first; t < mesh_.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh_.triangles[t];
+        mesh_.corner_colours.push_back(
+            {colour_of_corner_[a], colour_of_corner_[b], colour_of_corner_[c]});
+    }
+}
+
+/// By what was told of vertices, else of faces.
+void MeshBuilder::colour_triangles() {
+    if (!vertex_colours_.empty()) {
+        assert(vertex_colours_.size() == mesh_.vertices.size());
+        mesh_.corner_colours.reserve(mesh_.triangles.size());
+        for (const auto& [a, b, c] : mesh_.triangles) {
+            mesh_.corner_colours.push_back(
+                {vertex_colours_[a], vertex_colours_[b], vertex_colours_[c]});
+        }
+    } else if (!face_colours_.empty()) {
+        assert(face_colours_.size() == mesh_.face_count);
+        mesh_.corner_colours.reserve(mesh_.triangles.size());
+        for (const std::uint32_t face : mesh_.face_of_triangle) {
+            const Colour& colour = face_colours_[face];
+            mesh_.corner_colours.push_back({colour, colour, colour});
+        }
+    } else if (!mesh_.corner_colours.empty()) {
+        mesh_.corner_colours.resize(mesh_.triangles.size(), kPlainCorners);
+    }
+}
+
 ReadMeshResult MeshBuilder::take() {
+    colour_triangles();
     warn("faces_under_three_corners", small_faces_,
          plural(small_faces_, "face") + " with fewer than three corners");
     warn("polygons_without_ears", triangulator_.fanned(),

@@ -88,6 +88,15 @@ public:
         return {};
     }
 
+    /// Colours the face that was added last: all of it, or each of its corners. Faces that are left
+    /// out are plain where others have a colour.
+    void colour_face(const Colour& colour);
+    void colour_face(std::span<const std::uint32_t> corners, std::span<const Colour> colours);
+    /// Colours all corners by their vertices, or all faces by their numbers; none where there are
+    /// none.
+    void set_vertex_colours(std::vector<Colour> colours) { vertex_colours_ = std::move(colours); }
+    void set_face_colours(std::vector<Colour> colours) { face_colours_ = std::move(colours); }
+
     [[nodiscard]] static Error cancellation() {
         return {ErrorCode::kCancelled, "reading was cancelled"};
     }
@@ -95,7 +104,8 @@ public:
     void warn(const char* code, std::size_t count, std::string message) {
         if (count > 0) warnings_.push_back({code, count, std::move(message)});
     }
-    /// The mesh with the warnings; adds faces_under_three_corners and polygons_without_ears.
+    /// The mesh with its colours and the warnings; adds faces_under_three_corners and
+    /// polygons_without_ears.
     [[nodiscard]] ReadMeshResult take();
 
 private:
@@ -104,6 +114,8 @@ private:
     [[nodiscard]] Error coordinate_error(std::uint64_t vertex, int axis, NumberStatus status,
                                          const std::string& found) const;
     [[nodiscard]] Result<void> add_polygon(std::span<const std::uint32_t> corners);
+    [[nodiscard]] std::size_t first_triangle_of_last_face() const;
+    void colour_triangles();
 
     ReaderCodes codes_;
     const ReadMeshOptions& options_;
@@ -112,6 +124,9 @@ private:
     PolygonTriangulator triangulator_;
     std::vector<MeshWarning> warnings_;
     std::size_t small_faces_ = 0;
+    std::vector<Colour> vertex_colours_;
+    std::vector<Colour> face_colours_;
+    std::vector<Colour> colour_of_corner_;  ///< by vertex, of the face that was coloured last
 };
 
 /// "1 face", "2 faces".

@@ -62,6 +62,10 @@ TriangleMesh object_mesh(const TriangleMesh& mesh, const ModelObject& object) {
     const auto first = mesh.triangles.begin() + object.first_triangle;
     TriangleMesh part;
     part.triangles.assign(first, first + object.triangles);
+    if (!mesh.corner_colours.empty()) {
+        const auto colours = mesh.corner_colours.begin() + object.first_triangle;
+        part.corner_colours.assign(colours, colours + object.triangles);
+    }
     std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
     for (const TriangleMesh::Triangle& triangle : part.triangles) {
         for (const std::uint32_t vertex : triangle) number[vertex] = 0;

@@ -140,10 +140,7 @@ private:
     }
 
     void face_outwards(OrientedPatch& patch, std::span<const std::uint32_t> members) {
-        const auto turn = [&](std::uint32_t t) {
-            auto& triangle = result_.mesh.triangles[t];
-            std::swap(triangle[1], triangle[2]);
-        };
+        const auto turn = [&](std::uint32_t t) { result_.mesh.turn_over(t); };
         for (const std::uint32_t t : members) {
             if (result_.turned[t] != 0) turn(t);
         }

@@ -41,9 +41,20 @@ PlyMeaning meaning_of(const PlyProperty& property) {
         const bool corners = property.name == "vertex_indices" || property.name == "vertex_index";
         return corners ? PlyMeaning::kCorners : PlyMeaning::kOther;
     }
-    if (property.name == "x") return PlyMeaning::kX;
-    if (property.name == "y") return PlyMeaning::kY;
-    return property.name == "z" ? PlyMeaning::kZ : PlyMeaning::kOther;
+    constexpr std::array<std::pair<std::string_view, PlyMeaning>, 9> kNames = {
+        {{"x", PlyMeaning::kX},
+         {"y", PlyMeaning::kY},
+         {"z", PlyMeaning::kZ},
+         {"red", PlyMeaning::kRed},
+         {"green", PlyMeaning::kGreen},
+         {"blue", PlyMeaning::kBlue},
+         {"diffuse_red", PlyMeaning::kRed},
+         {"diffuse_green", PlyMeaning::kGreen},
+         {"diffuse_blue", PlyMeaning::kBlue}}};
+    for (const auto& [name, meaning] : kNames) {
+        if (property.name == name) return meaning;
+    }
+    return PlyMeaning::kOther;
 }
 
 class PlyHeaderReader {

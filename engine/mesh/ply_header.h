@@ -24,7 +24,7 @@ enum class PlyType : std::uint8_t {
 [[nodiscard]] std::size_t size_of(PlyType type);
 
 /// What a property is to the reader of meshes.
-enum class PlyMeaning : std::uint8_t { kX, kY, kZ, kCorners, kOther };
+enum class PlyMeaning : std::uint8_t { kX, kY, kZ, kRed, kGreen, kBlue, kCorners, kOther };
 
 struct PlyProperty {
     std::string name;

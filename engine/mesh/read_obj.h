@@ -15,7 +15,8 @@ namespace ossuary::mesh {
 /// `name` stands for the file in messages. All objects and groups are one mesh;
 /// its objects are those of the file, or its groups where it has no objects.
 ///
-/// Taken: `v` with whatever follows three coordinates (w, colours); `f` with any number of corners,
+/// Taken: `v` with whatever follows three coordinates: one number (w) is skipped, three or
+/// four are a colour; `f` with any number of corners,
 /// each an index, alone or with those of texture coordinates and normals, which are skipped (`7`,
 /// `7/`, `7//2`, `7/1/2`); indices that count back from the last vertex; faces before the vertices
 /// that they name; lines that go on after `\`; comments; LF, CR LF and lone CR. Vertices are kept

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/core/named.h"
+#include "engine/mesh/line_numbers.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/off_header.h"
 #include "engine/mesh/read_off_binary.h"
@@ -71,7 +72,7 @@ public:
         }
         for (std::uint64_t i = 0; i < header_.faces; ++i) {
             if (Result<void> read = read_corners(i, true); !read) return read;
-            scanner_.skip_rest_of_line();
+            if (!scanner_.at_line_end()) read_face_colour(i);
             if (Result<void> added = add_face(); !added) return added;
         }
         if (scanner_.find_token()) return fail(ErrorCode::kOffTruncated, "expected the end");
@@ -97,12 +98,17 @@ private:
     Result<void> read_corners(std::uint64_t face, bool over_lines);
     Result<void> read_face_line(std::uint64_t face);
     Result<void> add_face();
+    // Cold: as a part of their callers they cost files without colours a twentieth of the time.
+    [[gnu::cold]] void read_vertex_colour(std::uint64_t vertex);
+    [[gnu::cold]] void read_face_colour(std::uint64_t face);
     void note_trailing_text();
 
     TextScanner scanner_;
     const OffHeader& header_;
     MeshBuilder builder_;
     std::vector<std::uint32_t> corners_;
+    NumberColours vertex_colours_;
+    NumberColours face_colours_;
     std::size_t extended_vertices_ = 0;
     std::size_t trailing_lines_ = 0;
     std::size_t first_trailing_line_ = 0;
@@ -141,9 +147,29 @@ Result<void> OffBodyReader::read_vertex_line(std::uint64_t vertex) {
     if (Result<void> read = read_position(vertex, false); !read) return read;
     if (!scanner_.at_line_end()) {
         ++extended_vertices_;
-        scanner_.skip_rest_of_line();
+        if (header_.has_colors) {
+            read_vertex_colour(vertex);
+        } else {
+            scanner_.skip_rest_of_line();
+        }
     }
     return {};
+}
+
+/// Normals come before it, texture coordinates after it.
+void OffBodyReader::read_vertex_colour(std::uint64_t vertex) {
+    const std::size_t before = header_.has_normals ? 3 : 0;
+    const std::size_t after = header_.has_texture_coordinates ? 2 : 0;
+    const LineNumbers numbers = read_line_numbers(scanner_);
+    if (numbers.count == before + 3 + after || numbers.count == before + 4 + after) {
+        vertex_colours_.set(vertex, numbers.three_from(before));
+    }
+}
+
+/// Three or four numbers are a colour, one is a place in a map that is not in the file.
+void OffBodyReader::read_face_colour(std::uint64_t face) {
+    const LineNumbers numbers = read_line_numbers(scanner_);
+    if (numbers.count == 3 || numbers.count == 4) face_colours_.set(face, numbers.three_from(0));
 }
 
 Error OffBodyReader::bad_corner(std::uint64_t face, std::size_t corner, NumberStatus status,
@@ -198,7 +224,7 @@ Result<void> OffBodyReader::read_corners(std::uint64_t face, bool over_lines) {
 
 Result<void> OffBodyReader::read_face_line(std::uint64_t face) {
     if (Result<void> read = read_corners(face, false); !read) return read;
-    scanner_.skip_rest_of_line();
+    if (!scanner_.at_line_end()) read_face_colour(face);
     return add_face();
 }
 
@@ -229,6 +255,8 @@ ReadMeshResult OffBodyReader::take(bool free_form) {
     builder_.warn("trailing_text", trailing_lines_,
                   plural(trailing_lines_, "line") + " after the last face, from line " +
                       std::to_string(first_trailing_line_));
+    builder_.set_vertex_colours(vertex_colours_.take(builder_.vertices().size()));
+    builder_.set_face_colours(face_colours_.take(builder_.face_count()));
     return builder_.take();
 }
 

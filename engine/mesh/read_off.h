@@ -15,8 +15,8 @@ namespace ossuary::mesh {
 /// header word or glued to it (`OFF3 1 0`); the header word in any case, or none at all, which the
 /// format allows; no edge count; braces of OOGL around it all, and what OOGL allows before the
 /// word; a fourth coordinate (4OFF), which divides the others; OFF BINARY (read_off_binary.h). One
-/// vertex and one face a line, the rest of the line being normals, colours or texture coordinates,
-/// which are skipped; where the lines do not fit, the text is read as a free sequence of numbers
+/// vertex and one face a line, the rest of the line being normals, texture coordinates, which are
+/// skipped, or colours; where the lines do not fit, the text is read as a free sequence of numbers
 /// instead, provided that it comes out even. Polygons are triangulated. Faces of any shape are
 /// kept, those with fewer than three corners give no triangle.
 ///

@@ -1,5 +1,6 @@
 #include "engine/mesh/read_off_binary.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ constexpr std::size_t kValueBytes = 4;  // of integers and floats alike
 struct OffBinaryLayout {
     std::endian order = std::endian::big;
     std::size_t vertex_values = 3;  ///< a vertex, coordinates and all
+    std::size_t vertex_colors = 0;  ///< of these, channels of a colour
     bool counts_face_values = true;
     std::size_t face_values = 0;  ///< after the corners of a face where they are not counted
 };
@@ -26,11 +28,11 @@ std::vector<OffBinaryLayout> possible_layouts(const OffHeader& header) {
     if (header.has_colors) colors = {kRgba, kRgb, kNone};
     std::vector<OffBinaryLayout> layouts;
     for (const std::size_t color : colors) {
-        layouts.push_back({std::endian::big, values + color, true, 0});
+        layouts.push_back({std::endian::big, values + color, color, true, 0});
     }
     for (const std::size_t color : colors) {
         for (const std::size_t face_color : {kNone, kRgb, kRgba}) {
-            layouts.push_back({std::endian::little, values + color, false, face_color});
+            layouts.push_back({std::endian::little, values + color, color, false, face_color});
         }
     }
     return layouts;
@@ -54,6 +56,19 @@ private:
         return double{load_number<float>(data_.data() + kValueBytes * value, layout_.order)};
     }
     [[nodiscard]] Vec3 position(std::size_t vertex) const;
+    /// Geomview's are floats, OpenMesh's may be integers.
+    [[nodiscard]] std::array<float, 3> color(std::size_t value) const {
+        constexpr std::uint32_t kMost = 255;
+        std::array<float, 3> color{};
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const std::uint32_t bits = integer(value + channel);
+            color[channel] = bits <= kMost ? static_cast<float>(bits)
+                                           : static_cast<float>(coordinate(value + channel));
+        }
+        return color;
+    }
+    void color_vertices(MeshBuilder& builder) const;
+    void color_face(std::uint32_t face, std::size_t value, NumberColours& colors) const;
     /// How many values a face takes that begins there; nothing where that is more than there are.
     [[nodiscard]] std::optional<std::size_t> face_size(std::size_t value) const;
 
@@ -104,6 +119,24 @@ Vec3 OffBinaryReader::position(std::size_t vertex) const {
     return header_.has_w ? Vec3(position / coordinate(at + 3)) : position;
 }
 
+void OffBinaryReader::color_vertices(MeshBuilder& builder) const {
+    if (layout_.vertex_colors == 0) return;
+    const std::size_t before = 3 + (header_.has_w ? 1 : 0) + (header_.has_normals ? 3 : 0);
+    NumberColours colors;
+    for (std::uint32_t v = 0; v < vertices_; ++v) {
+        colors.set(v, color(first_vertex_ + layout_.vertex_values * v + before));
+    }
+    builder.set_vertex_colours(colors.take(vertices_));
+}
+
+/// @param value  that comes after the corners
+void OffBinaryReader::color_face(std::uint32_t face, std::size_t value,
+                                 NumberColours& colors) const {
+    const std::size_t count = layout_.counts_face_values ? integer(value) : layout_.face_values;
+    if (count != 3 && count != 4) return;
+    colors.set(face, color(value + (layout_.counts_face_values ? 1 : 0)));
+}
+
 Result<ReadMeshResult> OffBinaryReader::read(MeshBuilder builder) const {
     if (Result<void> caps = builder.check_counts(vertices_, faces_); !caps) return caps.error();
     builder.reserve(vertices_, faces_);
@@ -113,6 +146,7 @@ Result<ReadMeshResult> OffBinaryReader::read(MeshBuilder builder) const {
         builder.add_vertex(at);
     }
     std::vector<std::uint32_t> corners;
+    NumberColours colors;
     std::size_t at = first_face_;
     for (std::uint32_t face = 0; face < faces_; ++face) {
         const std::uint32_t count = integer(at);
@@ -129,8 +163,12 @@ Result<ReadMeshResult> OffBinaryReader::read(MeshBuilder builder) const {
             corners.push_back(index);
         }
         if (Result<void> added = builder.add_face(corners); !added) return added.error();
-        at += *face_size(at);
+        const std::size_t size = *face_size(at);
+        color_face(face, at + 1 + count, colors);
+        at += size;
     }
+    color_vertices(builder);
+    builder.set_face_colours(colors.take(faces_));
     return builder.take();
 }
 

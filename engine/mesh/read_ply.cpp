@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ constexpr ReaderCodes kPlyCodes = {ErrorCode::kPlyTooManyVertices, ErrorCode::kP
 /// Between looks at the stop token, so that a long list ends soon, too.
 constexpr std::uint64_t kValuesBetweenLooks = 65'536;
 
+/// What a colour is before any channel is read, and stays where one is missing.
+constexpr std::array<float, 3> kNoColour = {std::numeric_limits<float>::quiet_NaN(),
+                                            std::numeric_limits<float>::quiet_NaN(),
+                                            std::numeric_limits<float>::quiet_NaN()};
+
 enum class PlyRole { kVertices, kFaces, kStrips, kOther };
 
 PlyRole role_of(const PlyElement& element) {
@@ -35,6 +41,23 @@ bool is_corner_list(const PlyProperty& property) {
 }
 
 bool is_coordinate(const PlyProperty& property) { return property.meaning <= PlyMeaning::kZ; }
+
+bool is_channel(const PlyProperty& property) {
+    return property.meaning >= PlyMeaning::kRed && property.meaning <= PlyMeaning::kBlue;
+}
+
+/// What the whole of a channel is; floats are as their file has them (NumberColours).
+double whole_channel(PlyType type) {
+    switch (type) {
+        case PlyType::kUint16:
+            return 65'535.0;
+        case PlyType::kFloat32:
+        case PlyType::kFloat64:
+            return 1.0;
+        default:
+            return 255.0;
+    }
+}
 
 /// Reads the data that follow the header.
 template <typename Body>
@@ -62,9 +85,15 @@ private:
     Result<void> check_room(const PlyElement& element) const;
     Result<void> pass(bool vertices, bool surfaces);
     Result<void> read_element(const PlyElement& element, PlyRole role);
+    template <bool kColoured>
     Result<void> read_vertex(const Place& place);
+    template <bool kColoured>
     Result<void> read_surface(const Place& place, bool strips);
+    template <bool kColoured>
+    Result<void> read_entry(const Place& place, PlyRole role);
     Result<void> skip(const Place& place, const PlyProperty& property);
+    Result<void> read_channel(const Place& place, const PlyProperty& property,
+                              std::array<float, 3>& colour);
     Result<std::uint64_t> read_list_size(const Place& place, const PlyProperty& property);
     Result<void> read_polygon(const Place& place, const PlyProperty& property);
     Result<void> read_strips(const Place& place, const PlyProperty& property);
@@ -75,6 +104,8 @@ private:
     const PlyHeader& header_;
     MeshBuilder builder_;
     std::vector<std::uint32_t> corners_;
+    NumberColours vertex_colours_;
+    NumberColours face_colours_;
     std::array<std::uint32_t, 2> last_{};  // corners of the strip
     std::uint64_t strip_corners_ = 0;
 };
@@ -164,12 +195,31 @@ Result<std::uint64_t> PlyReader<Body>::read_list_size(const Place& place,
     return static_cast<std::uint64_t>(size);
 }
 
+/// A word that is no number leaves the channel as it is.
 template <typename Body>
+Result<void> PlyReader<Body>::read_channel(const Place& place, const PlyProperty& property,
+                                           std::array<float, 3>& colour) {
+    double value = 0;
+    const PlyStatus status = body_.read(property.type, value);
+    if (status == PlyStatus::kEnds) return bad_value(status, place, property);
+    if (status != PlyStatus::kOk) return skip(place, property);
+    const auto channel =
+        static_cast<std::size_t>(property.meaning) - static_cast<std::size_t>(PlyMeaning::kRed);
+    colour[channel] = static_cast<float>(value / whole_channel(property.type));
+    return {};
+}
+
+template <typename Body>
+template <bool kColoured>
 Result<void> PlyReader<Body>::read_vertex(const Place& place) {
     Vec3 position = Vec3::Zero();
+    std::array<float, 3> colour = kNoColour;
     for (const PlyProperty& property : place.element.properties) {
         if (!is_coordinate(property)) {
-            if (Result<void> skipped = skip(place, property); !skipped) return skipped;
+            Result<void> done = kColoured && is_channel(property)
+                                    ? read_channel(place, property, colour)
+                                    : skip(place, property);
+            if (!done) return done;
             continue;
         }
         const PlyStatus status =
@@ -180,6 +230,7 @@ Result<void> PlyReader<Body>::read_vertex(const Place& place) {
         const Error error = builder_.position_error(place.entry, position);
         return {error.code, body_.place() + error.message};
     }
+    if constexpr (kColoured) vertex_colours_.set(builder_.vertices().size(), colour);
     builder_.add_vertex(position);
     return {};
 }
@@ -260,27 +311,49 @@ Result<void> PlyReader<Body>::read_strips(const Place& place, const PlyProperty&
 }
 
 template <typename Body>
+template <bool kColoured>
 Result<void> PlyReader<Body>::read_surface(const Place& place, bool strips) {
     bool read = false;
+    std::array<float, 3> colour = kNoColour;
     for (const PlyProperty& property : place.element.properties) {
         const bool corners = !read && is_corner_list(property);
+        const bool channel = kColoured && is_channel(property);
         read = read || corners;
-        Result<void> done = !corners ? skip(place, property)
-                            : strips ? read_strips(place, property)
-                                     : read_polygon(place, property);
+        Result<void> done = channel    ? read_channel(place, property, colour)
+                            : !corners ? skip(place, property)
+                            : strips   ? read_strips(place, property)
+                                       : read_polygon(place, property);
         if (!done) return done;
     }
     if (strips) return {};
+    if constexpr (kColoured) face_colours_.set(builder_.face_count(), colour);
     Result<void> added = builder_.add_face(corners_);
     if (added) return added;
     return {added.error().code, body_.place() + added.error().message};
 }
 
 template <typename Body>
+template <bool kColoured>
+Result<void> PlyReader<Body>::read_entry(const Place& place, PlyRole role) {
+    if (role == PlyRole::kVertices) return read_vertex<kColoured>(place);
+    if (role == PlyRole::kFaces || role == PlyRole::kStrips) {
+        return read_surface<kColoured>(place, role == PlyRole::kStrips);
+    }
+    for (const PlyProperty& property : place.element.properties) {
+        if (Result<void> skipped = skip(place, property); !skipped) return skipped;
+    }
+    return {};
+}
+
+/// Colours are looked for where the element has any: a seventh of the time of a binary file
+/// without them.
+template <typename Body>
 Result<void> PlyReader<Body>::read_element(const PlyElement& element, PlyRole role) {
     constexpr std::uint64_t kEntriesBetweenLooks = 4096;
     if (element.properties.empty()) return {};
     if (Result<void> room = check_room(element); !room) return room;
+    const bool coloured =
+        std::any_of(element.properties.begin(), element.properties.end(), is_channel);
     builder_.reserve(role == PlyRole::kVertices ? element.count : 0,
                      role == PlyRole::kFaces ? element.count : 0);
     for (std::uint64_t entry = 0; entry < element.count; ++entry) {
@@ -288,16 +361,8 @@ Result<void> PlyReader<Body>::read_element(const PlyElement& element, PlyRole ro
             return MeshBuilder::cancellation();
         }
         const Place place{element, entry};
-        Result<void> read;
-        if (role == PlyRole::kVertices) {
-            read = read_vertex(place);
-        } else if (role == PlyRole::kFaces || role == PlyRole::kStrips) {
-            read = read_surface(place, role == PlyRole::kStrips);
-        } else {
-            for (const PlyProperty& property : element.properties) {
-                if (read = skip(place, property); !read) break;
-            }
-        }
+        Result<void> read =
+            coloured ? read_entry<true>(place, role) : read_entry<false>(place, role);
         if (!read) return read;
     }
     return {};
@@ -336,6 +401,8 @@ Result<ReadMeshResult> PlyReader<Body>::read() {
     } else {
         builder_.warn("trailing_bytes", trailing, plural(trailing, "byte") + " after the data");
     }
+    builder_.set_vertex_colours(vertex_colours_.take(builder_.vertices().size()));
+    builder_.set_face_colours(face_colours_.take(builder_.face_count()));
     return builder_.take();
 }
 

@@ -14,7 +14,8 @@ namespace ossuary::mesh {
 /// Taken, as the header describes it: x, y and z of `vertex`, of any type; the list
 /// `vertex_indices` or `vertex_index` of `face`, with counts and indices of any type; triangle
 /// strips, the list of the same name of `tristrips`, where a negative number begins the next strip
-/// and a triangle that names a vertex twice only links two parts. All other elements, properties
+/// and a triangle that names a vertex twice only links two parts; `red`, `green` and `blue`, also
+/// with `diffuse_` before them, of vertices, else of faces. All other elements, properties
 /// and lists are skipped, wherever they stand. Polygons are triangulated.
 ///
 /// Errors, with the line or the byte: ply_header (also for an element of faces or vertices that

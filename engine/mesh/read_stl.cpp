@@ -9,14 +9,12 @@
 #include "engine/mesh/load_number.h"
 #include "engine/mesh/mesh_builder.h"
 #include "engine/mesh/model_objects.h"
+#include "engine/mesh/stl_colours.h"
 #include "engine/mesh/vertex_table.h"
 
 namespace ossuary::mesh {
 namespace {
 
-constexpr std::size_t kStlHeader = 80;
-constexpr std::size_t kStlStart = kStlHeader + 4;
-constexpr std::size_t kStlTriangle = 50;
 constexpr std::size_t kStlNormal = 12;
 
 constexpr ReaderCodes kStlCodes = {ErrorCode::kStlTooManyVertices, ErrorCode::kStlTooManyFaces,
@@ -43,18 +41,22 @@ StlCorners load_corners(std::string_view bytes, std::size_t triangle) {
 constexpr std::size_t kStlBlock = 16;
 
 /// Adds the triangles from `begin` to `end`, no more than a block.
+/// @param attributes  gets the bits of theirs, too
 Result<void> read_block(std::string_view bytes, std::size_t begin, std::size_t end,
-                        VertexTable& table, MeshBuilder& builder) {
+                        VertexTable& table, MeshBuilder& builder, std::uint32_t& attributes) {
     std::array<Vec3, 3 * kStlBlock> positions;
     std::array<std::uint64_t, 3 * kStlBlock> hashes{};
     const std::size_t count = 3 * (end - begin);
+    std::uint32_t seen = 0;
     for (std::size_t t = begin; t < end; ++t) {
         const StlCorners corners = load_corners(bytes, t);
+        seen |= stl_attribute(bytes, t);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             positions[3 * (t - begin) + corner] = {corners[3 * corner], corners[3 * corner + 1],
                                                    corners[3 * corner + 2]};
         }
     }
+    attributes |= seen;
     for (std::size_t i = 0; i < count; ++i) {
         if (!builder.is_in_range(positions[i])) {
             const Error error = builder.position_error(3 * begin + i, positions[i]);
@@ -84,9 +86,10 @@ Result<ReadMeshResult> read_binary(std::string_view bytes, const ReadMeshOptions
     }
     builder.reserve(0, triangles);
     VertexTable table(triangles / 2);  // of a closed surface; grows for others
+    std::uint32_t attributes = 0;
     for (std::uint64_t t = 0; t < triangles; t += kStlBlock) {
         const std::uint64_t end = std::min<std::uint64_t>(t + kStlBlock, triangles);
-        if (Result<void> read = read_block(bytes, t, end, table, builder); !read) {
+        if (Result<void> read = read_block(bytes, t, end, table, builder, attributes); !read) {
             return read.error();
         }
     }
@@ -96,6 +99,7 @@ Result<ReadMeshResult> read_binary(std::string_view bytes, const ReadMeshOptions
     builder.set_vertices(std::move(table).take());
     const std::size_t trailing = bytes.size() - kStlStart - kStlTriangle * triangles;
     builder.warn("trailing_bytes", trailing, plural(trailing, "byte") + " after the last triangle");
+    builder.set_face_colours(stl_colours(bytes, triangles, attributes));
     return builder.take();
 }
 

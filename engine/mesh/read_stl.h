@@ -22,7 +22,8 @@ namespace ossuary::mesh {
 
 /// Reads an STL file, text or binary (3D Systems, StereoLithography Interface Specification, 1989);
 /// `name` stands for the file in messages. Corners at equal positions become one vertex; vertices
-/// are in the order of first use. Normals, names and colours are skipped.
+/// are in the order of first use. Normals are skipped, colours are those of binary files
+/// (stl_colours.h).
 ///
 /// Text: words in any case, any blanks and line ends, comments after `#`, several solids, facets
 /// without a normal, loops of more than three corners, no triangle at all.

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/geometry.h"
+#include "engine/mesh/colour.h"
 
 namespace ossuary::mesh {
 
@@ -21,11 +23,19 @@ struct TriangleMesh {
     /// Polygons that gave no triangle (fewer than three corners) are counted in `face_count`.
     std::vector<std::uint32_t> face_of_triangle;
     std::uint32_t face_count = 0;  ///< polygons in the source
+    /// As long as `triangles`; empty where the source has none. Only pictures ask.
+    std::vector<CornerColours> corner_colours = {};
 
     [[nodiscard]] bool empty() const { return triangles.empty(); }
     [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
         const Triangle& t = triangles[triangle];
         return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+    }
+    /// Lets a triangle face the other way.
+    void turn_over(std::size_t triangle) {
+        std::swap(triangles[triangle][1], triangles[triangle][2]);
+        if (corner_colours.empty()) return;
+        std::swap(corner_colours[triangle][1], corner_colours[triangle][2]);
     }
 };
 

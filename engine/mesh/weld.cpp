@@ -158,6 +158,7 @@ WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
     result.mesh.face_count = mesh.face_count;
     result.mesh.triangles.reserve(mesh.triangles.size());
     const bool mapped = mesh.face_of_triangle.size() == mesh.triangles.size();
+    const bool coloured = !mesh.corner_colours.empty();
     result.vertex_of.assign(mesh.vertices.size(), kNone);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         TriangleMesh::Triangle triangle = mesh.triangles[t];
@@ -178,6 +179,7 @@ WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
         result.mesh.triangles.push_back(triangle);
         result.source_triangle.push_back(t);
         if (mapped) result.mesh.face_of_triangle.push_back(mesh.face_of_triangle[t]);
+        if (coloured) result.mesh.corner_colours.push_back(mesh.corner_colours[t]);
     }
     for (std::uint32_t v = 0; v < target.size(); ++v) {
         if (target[v] != v) result.vertex_of[v] = result.vertex_of[target[v]];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/whole_file.h"
+#include "engine/mesh/colours_on.h"
 
 namespace ossuary::mesh {
 namespace {
@@ -82,25 +83,57 @@ void append_float_position(std::string& text, const Vec3f& position) {
     text += '\n';
 }
 
+/// The colours that are written, of triangles or of vertices.
+struct WrittenColours {
+    std::vector<Colour> of_triangles, of_vertices;
+};
+
+WrittenColours written_colours(const TriangleMesh& mesh, std::span<const Colour> colours) {
+    WrittenColours written;
+    if (!colours.empty()) {
+        written.of_triangles.assign(colours.begin(), colours.end());
+    } else if (has_flat_colours(mesh)) {
+        for (const CornerColours& corners : mesh.corner_colours) {
+            written.of_triangles.push_back(corners[0]);
+        }
+    } else {
+        written.of_vertices.assign(mesh.vertices.size(), kPlainColour);
+        for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                written.of_vertices[mesh.triangles[t][corner]] = mesh.corner_colours[t][corner];
+            }
+        }
+    }
+    return written;
+}
+
+/// In place of the end of the line.
+void append_colour(std::string& text, const Colour& colour) {
+    text.pop_back();
+    for (const std::uint8_t channel : colour) {
+        text += ' ';
+        append_number(text, std::uint32_t{channel});
+    }
+    text += '\n';
+}
+
 }  // namespace
 
 std::string to_off(const TriangleMesh& mesh, std::span<const Colour> colours) {
-    std::string text = "OFF\n";
+    const WrittenColours written = written_colours(mesh, colours);
+    std::string text = written.of_vertices.empty() ? "OFF\n" : "COFF\n";
     append_number(text, mesh.vertices.size());
     text += ' ';
     append_number(text, mesh.triangles.size());
     text += " 0\n";
-    for (const Vec3& vertex : mesh.vertices) append_position(text, vertex);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        append_position(text, mesh.vertices[v]);
+        if (!written.of_vertices.empty()) append_colour(text, written.of_vertices[v]);
+    }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         text += '3';
         append_corners(text, mesh.triangles[t], 0);
-        if (colours.empty()) continue;
-        text.pop_back();
-        for (const std::uint8_t channel : colours[t]) {
-            text += ' ';
-            append_number(text, std::uint32_t{channel});
-        }
-        text += '\n';
+        if (!written.of_triangles.empty()) append_colour(text, written.of_triangles[t]);
     }
     return text;
 }
@@ -124,23 +157,27 @@ std::string to_obj(const TriangleMesh& mesh, std::span<const std::uint32_t> grou
 }
 
 std::string to_ply(const TriangleMesh& mesh, std::span<const Colour> colours) {
+    constexpr std::string_view kChannels =
+        "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    const WrittenColours written = written_colours(mesh, colours);
     std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(mesh.vertices.size()) +
-                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                      std::to_string(mesh.triangles.size()) +
-                      "\nproperty list uchar uint vertex_indices\n";
-    if (!colours.empty()) {
-        ply += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-    }
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+    if (!written.of_vertices.empty()) ply += kChannels;
+    ply += "element face " + std::to_string(mesh.triangles.size()) +
+           "\nproperty list uchar uint vertex_indices\n";
+    if (!written.of_triangles.empty()) ply += kChannels;
     ply += "end_header\n";
-    for (const Vec3& vertex : mesh.vertices) {
-        for (const double coordinate : vertex) append_bytes(ply, coordinate);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        for (const double coordinate : mesh.vertices[v]) append_bytes(ply, coordinate);
+        if (written.of_vertices.empty()) continue;
+        for (const std::uint8_t channel : written.of_vertices[v]) append_bytes(ply, channel);
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         append_bytes(ply, std::uint8_t{3});
         for (const std::uint32_t corner : mesh.triangles[t]) append_bytes(ply, corner);
-        if (colours.empty()) continue;
-        for (const std::uint8_t channel : colours[t]) append_bytes(ply, channel);
+        if (written.of_triangles.empty()) continue;
+        for (const std::uint8_t channel : written.of_triangles[t]) append_bytes(ply, channel);
     }
     return ply;
 }

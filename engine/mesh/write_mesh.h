@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -11,12 +10,11 @@
 
 namespace ossuary::mesh {
 
-/// Red, green and blue.
-using Colour = std::array<std::uint8_t, 3>;
-
 /// The mesh as OFF text. Coordinates are written with the fewest digits that read back as the very
 /// same doubles; triangles stay triangles.
-/// @param colours  of each triangle, or none
+/// @param colours  of each triangle; none: those of the mesh, as faces' where each triangle has
+/// one,
+///                 else as vertices' (COFF), where the first triangle at a vertex says its colour
 [[nodiscard]] std::string to_off(const TriangleMesh& mesh, std::span<const Colour> colours = {});
 
 /// The mesh as Wavefront OBJ text, in the same precision.
@@ -27,7 +25,7 @@ using Colour = std::array<std::uint8_t, 3>;
                                  const std::string& name = "group");
 
 /// The mesh as a binary little-endian PLY file, coordinates as doubles.
-/// @param colours  of each triangle, or none
+/// @param colours  as for to_off
 [[nodiscard]] std::string to_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
 
 /// The mesh as STL, coordinates rounded to floats, normals by the right-hand rule (zero for

@@ -11,8 +11,8 @@
 #include "index/cli/options.h"
 #include "index/cli/wavefront_lines.h"
 #include "index/json_text.h"
-#include "index/model_segments.h"
 #include "index/presentation.h"
+#include "index/preview.h"
 
 namespace ossuary::cli {
 namespace {

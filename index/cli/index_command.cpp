@@ -152,10 +152,11 @@ void add_index(CLI::App& app, Session& session) {
                       "Index each object of a file that tells several apart (3MF, glTF, OBJ, …) as "
                       "a model of its own, FILE#OBJECT; reads every file");
     command
-        ->add_option("--up", options->up,
-                     "The axis that points up in these models, y or z; or auto: found for each new "
-                     "one, and others stay as they are")
-        ->check(CLI::IsMember({"y", "z", "auto"}))
+        ->add_option(
+            "--up", options->up,
+            "The axis that points up in these models, x, y or z; or auto: as its file says "
+            "or found for each new one, and others stay as they are")
+        ->check(CLI::IsMember({"x", "y", "z", "auto"}))
         ->capture_default_str();
     command
         ->add_flag("--prune{yes}", options->prune,

@@ -8,6 +8,7 @@
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
+#include "index/describe_model.h"
 #include "index/presentation.h"
 #include "index/searcher.h"
 
@@ -71,6 +72,8 @@ Result<ExitCode> run(const SearchArguments& options, const Session& session) {
         description.name = std::filesystem::path(options.model_path).stem().string();
         description.vertices = query->mesh.vertices.size();
         description.faces = query->mesh.face_count;
+        description.frame = index::frame_of(*query);
+        description.up = description.frame.up;
         print_json(index::to_json(*result, description, search.rank));
     } else {
         print_hits(*result);

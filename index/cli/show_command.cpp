@@ -7,6 +7,7 @@
 #include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/presentation.h"
+#include "index/unit.h"
 
 namespace ossuary::cli {
 namespace {
@@ -49,15 +50,18 @@ Result<ExitCode> show_index(index::Store& store, const Session& session) {
 
 void print_model(const index::ModelSummary& model, const index::StoredSkeleton& skeleton) {
     const Vec3 extent = model.bounds.sizes();
+    const std::string unit = index::unit_name(model.frame.metres_per_unit);
     std::cout << terminal_format(
         "#{} {}\nclass         {}\npath          {}\nvertices      {}\nfaces         {}\n"
-        "size          {:.6g} x {:.6g} x {:.6g}\nup            {} ({})\nsurface area  {:.6g}\n"
+        "size          {:.6g} x {:.6g} x {:.6g}{}\nup            {} ({})\nsurface area  {:.6g}\n"
         "indexed at    {}\n",
         model.id, model.name, model.class_name.empty() ? "-" : model.class_name,
         model.path.empty() ? "-" : model.path, model.vertices, model.faces, extent.x(), extent.y(),
-        extent.z(), to_string(model.orientation.up),
-        model.orientation.said_by_person ? "as was said" : "found", model.surface_area,
-        model.indexed_at);
+        extent.z(), unit.empty() ? " (no unit)" : " " + unit, to_string(model.orientation.up),
+        model.orientation.said_by_person         ? "as was said"
+        : model.frame.up == model.orientation.up ? "as the file says"
+                                                 : "found",
+        model.surface_area, model.indexed_at);
     for (const mesh::MeshWarning& warning : model.warnings) {
         std::cout << terminal_format("warning       {}: {}\n", warning.code, warning.message);
     }

@@ -49,7 +49,8 @@ void add_up(CLI::App& app, Session& session) {
     constexpr int kMany = 1 << 20;
     command
         ->add_option("MODEL", options->words,
-                     "Names or #ids; and last the axis: y, z, or auto (found from the shape)")
+                     "Names or #ids; and last the axis: x, y, z, or auto (as the file says, else "
+                     "found from the shape)")
         ->required()
         ->expected(2, kMany)
         ->type_name("... AXIS");

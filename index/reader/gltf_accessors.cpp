@@ -292,6 +292,27 @@ Result<std::vector<Vec3>> GltfAccessors::positions(int number) {
     return positions;
 }
 
+Result<std::vector<std::array<float, 3>>> GltfAccessors::colours(int number, std::size_t vertices) {
+    const auto found = find(number);
+    if (!found) return found.error();
+    tinygltf::Accessor accessor = **found;
+    const bool with_alpha = accessor.type == TINYGLTF_TYPE_VEC4;
+    if ((accessor.type != TINYGLTF_TYPE_VEC3 && !with_alpha) || accessor.count != vertices) {
+        return invalid(numbered("accessor", number) + ", which holds no colours of the vertices");
+    }
+    accessor.normalized = true;  // of floats this says nothing
+    const std::size_t width = with_alpha ? 4 : 3;
+    const auto numbers = values(accessor, static_cast<int>(width));
+    if (!numbers) return numbers.error();
+    std::vector<std::array<float, 3>> colours(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            colours[i][channel] = static_cast<float>((*numbers)[width * i + channel]);
+        }
+    }
+    return colours;
+}
+
 Result<std::vector<std::uint32_t>> GltfAccessors::indices(int number) {
     const auto accessor = find(number);
     if (!accessor) return accessor.error();

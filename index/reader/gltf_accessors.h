@@ -2,6 +2,7 @@
 
 #include <tiny_gltf.h>
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -26,6 +27,9 @@ public:
     Result<std::vector<Vec3>> positions(int accessor);
     /// Errors: gltf_invalid, model_too_many_faces.
     Result<std::vector<std::uint32_t>> indices(int accessor);
+    /// Linear colours, integers as normalised ones; of as many vertices.
+    /// Errors: gltf_invalid.
+    Result<std::vector<std::array<float, 3>>> colours(int accessor, std::size_t vertices);
     /// The bytes of a view, decoded where it is compressed (EXT_meshopt_compression).
     /// Errors: gltf_invalid.
     Result<std::span<const unsigned char>> view(int number);

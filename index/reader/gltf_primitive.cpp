@@ -43,7 +43,8 @@ Result<GltfTriangles> from_draco(const tinygltf::Value& extension, GltfAccessors
     }
     const auto bytes = accessors.view(view_number);
     if (!bytes) return bytes.error();
-    return decode_draco(*bytes, static_cast<std::uint32_t>(position), caps);
+    const int colour = number_in(extension.Get("attributes"), "COLOR_0");
+    return decode_draco(*bytes, static_cast<std::uint32_t>(position), colour, caps);
 }
 
 }  // namespace
@@ -64,6 +65,12 @@ Result<GltfTriangles> triangles_of(const tinygltf::Primitive& primitive, GltfAcc
     auto positions = accessors.positions(position->second);
     if (!positions) return positions.error();
     GltfTriangles triangles{*std::move(positions), {}};
+    const auto colour = primitive.attributes.find("COLOR_0");
+    if (colour != primitive.attributes.end()) {
+        // Those that cannot be used keep no surface from being read.
+        auto colours = accessors.colours(colour->second, triangles.positions.size());
+        if (colours) triangles.colours = *std::move(colours);
+    }
     if (primitive.indices >= 0) {
         auto corners = accessors.indices(primitive.indices);
         if (!corners) return corners.error();

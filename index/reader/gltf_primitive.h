@@ -7,7 +7,8 @@
 
 namespace ossuary::index {
 
-/// The triangles of a primitive: a list, strip or fan, indexed or not, compressed or not. Points
+/// The triangles of a primitive with its vertices' colours (COLOR_0): a list, strip or fan, indexed
+/// or not, compressed or not. Points
 /// and lines give none. Errors: gltf_invalid, model_too_many_vertices, model_too_many_faces.
 Result<GltfTriangles> triangles_of(const tinygltf::Primitive& primitive, GltfAccessors& accessors,
                                    const mesh::ReadMeshOptions& caps);

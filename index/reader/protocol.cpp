@@ -13,18 +13,20 @@ namespace {
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "positions travel as they lie in memory");
 static_assert(sizeof(mesh::TriangleMesh::Triangle) == 3 * sizeof(std::uint32_t));
+static_assert(sizeof(mesh::CornerColours) == 9);
 
 constexpr std::size_t kLongestText = 4000;
 constexpr std::size_t kMaxNotes = 64 << 20;  ///< bytes of names and warnings
 
-/// What the answer's file holds: notes, positions, triangles, and the face of each triangle where
-/// that is not its own number.
+/// What the answer's file holds: notes, positions, triangles, the face of each triangle where that
+/// is not its own number, and the colours where there are any.
 struct AnswerSizes {
     std::uint64_t notes = 0;
     std::uint32_t vertices = 0;
     std::uint32_t triangles = 0;
     std::uint32_t faces = 0;
     bool with_faces = false;
+    bool with_colours = false;
 };
 
 std::string encode_sizes(const AnswerSizes& sizes) {
@@ -35,6 +37,7 @@ std::string encode_sizes(const AnswerSizes& sizes) {
     writer.put(sizes.triangles);
     writer.put(sizes.faces);
     writer.put(static_cast<std::uint8_t>(sizes.with_faces));
+    writer.put(static_cast<std::uint8_t>(sizes.with_colours));
     return std::move(writer).take();
 }
 
@@ -265,14 +268,18 @@ Error decode_fault(std::string_view message) {
 Result<std::string> write_answer(const mesh::ReadMeshResult& read, int file) {
     const mesh::TriangleMesh& mesh = read.mesh;
     const std::string notes = encode_notes(read);
-    const AnswerSizes sizes = {notes.size(), static_cast<std::uint32_t>(mesh.vertices.size()),
-                               static_cast<std::uint32_t>(mesh.triangles.size()), mesh.face_count,
-                               names_faces(mesh)};
+    const AnswerSizes sizes = {notes.size(),
+                               static_cast<std::uint32_t>(mesh.vertices.size()),
+                               static_cast<std::uint32_t>(mesh.triangles.size()),
+                               mesh.face_count,
+                               names_faces(mesh),
+                               !mesh.corner_colours.empty()};
     const auto put = [&](const auto& values) {
         return write_all(file, values.data(), values.size() * sizeof(values[0]));
     };
     if (!put(notes) || !put(mesh.vertices) || !put(mesh.triangles) ||
-        (sizes.with_faces && !put(mesh.face_of_triangle))) {
+        (sizes.with_faces && !put(mesh.face_of_triangle)) ||
+        (sizes.with_colours && !put(mesh.corner_colours))) {
         return {ErrorCode::kReaderMemory, "expected a smaller mesh, found one of " +
                                               std::to_string(mesh.triangles.size()) + " triangles"};
     }
@@ -288,6 +295,7 @@ Result<mesh::ReadMeshResult> read_answer(std::string_view message, int file,
     sizes.triangles = reader.get<std::uint32_t>();
     sizes.faces = reader.get<std::uint32_t>();
     sizes.with_faces = reader.get<std::uint8_t>() != 0;
+    sizes.with_colours = reader.get<std::uint8_t>() != 0;
     if (kind_of(message) != MessageKind::kMesh || !reader.ok() || sizes.notes > kMaxNotes ||
         sizes.vertices > caps.max_vertices || sizes.triangles > caps.max_triangles ||
         sizes.faces > caps.max_faces || (!sizes.with_faces && sizes.faces != sizes.triangles)) {
@@ -306,6 +314,10 @@ Result<mesh::ReadMeshResult> read_answer(std::string_view message, int file,
         whole = whole && take(file, offset, read.mesh.face_of_triangle);
     } else {
         std::iota(read.mesh.face_of_triangle.begin(), read.mesh.face_of_triangle.end(), 0u);
+    }
+    if (sizes.with_colours) {
+        read.mesh.corner_colours.resize(sizes.triangles);
+        whole = whole && take(file, offset, read.mesh.corner_colours);
     }
     if (!whole || !is_whole(read.mesh, caps.max_coordinate) ||
         !decode_notes({notes.data(), notes.size()}, read)) {

@@ -41,6 +41,43 @@ Matrix4 matrix_of(const tinygltf::Node& node) {
     return matrix;
 }
 
+/// The colour of a primitive's material, linear; white where it says none.
+std::array<float, 3> colour_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+    std::array<float, 3> colour = {1.0F, 1.0F, 1.0F};
+    const auto number = static_cast<std::size_t>(primitive.material);
+    if (primitive.material < 0 || number >= model.materials.size()) return colour;
+    const std::vector<double>& factor =
+        model.materials[number].pbrMetallicRoughness.baseColorFactor;
+    for (std::size_t i = 0; i < colour.size() && i < factor.size(); ++i) {
+        colour[i] = static_cast<float>(factor[i]);
+    }
+    return colour;
+}
+
+/// The triangles of a primitive and how they are coloured: all alike, or by their vertices.
+struct ColouredTriangles {
+    GltfTriangles triangles;
+    mesh::Colour colour{};
+    std::vector<mesh::Colour> of_vertex;
+};
+
+/// Colours of vertices are times that of the material, says the specification (sec. 3.9.2).
+ColouredTriangles coloured(GltfTriangles triangles, const std::array<float, 3>& material) {
+    const auto srgb = [&](const std::array<float, 3>& factor) {
+        mesh::Colour colour{};
+        for (std::size_t i = 0; i < colour.size(); ++i) {
+            colour[i] = mesh::srgb_from_linear(factor[i] * material[i]);
+        }
+        return colour;
+    };
+    ColouredTriangles result{{}, srgb({1.0F, 1.0F, 1.0F}), {}};
+    result.of_vertex.reserve(triangles.colours.size());
+    for (const auto& each : triangles.colours) result.of_vertex.push_back(srgb(each));
+    triangles.colours = {};
+    result.triangles = std::move(triangles);
+    return result;
+}
+
 class GltfReader {
 public:
     GltfReader(const tinygltf::Model& model, const mesh::ReadMeshOptions& caps)
@@ -58,15 +95,15 @@ private:
     };
 
     [[nodiscard]] std::vector<int> roots() const;
-    Result<const std::vector<GltfTriangles>*> mesh_of(int number);
+    Result<const std::vector<ColouredTriangles>*> mesh_of(int number);
     Result<void> add_mesh(const tinygltf::Node& node, const Matrix4& matrix);
-    Result<void> add_triangles(const GltfTriangles& triangles, const Matrix4& matrix);
+    Result<void> add_triangles(const ColouredTriangles& coloured, const Matrix4& matrix);
 
     const tinygltf::Model& model_;
     const mesh::ReadMeshOptions& caps_;
     GltfAccessors accessors_;
     SceneBuilder scene_;
-    std::map<int, std::vector<GltfTriangles>> meshes_;  ///< read, by number
+    std::map<int, std::vector<ColouredTriangles>> meshes_;  ///< read, by number
     std::size_t lines_and_points_ = 0;
 };
 
@@ -90,13 +127,13 @@ std::vector<int> GltfReader::roots() const {
     return roots;
 }
 
-Result<const std::vector<GltfTriangles>*> GltfReader::mesh_of(int number) {
+Result<const std::vector<ColouredTriangles>*> GltfReader::mesh_of(int number) {
     if (const auto done = meshes_.find(number); done != meshes_.end()) return &done->second;
     if (number < 0 || static_cast<std::size_t>(number) >= model_.meshes.size()) {
         return {ErrorCode::kGltfInvalid,
                 "expected the mesh of a node, found number " + std::to_string(number)};
     }
-    std::vector<GltfTriangles> primitives;
+    std::vector<ColouredTriangles> primitives;
     for (const tinygltf::Primitive& primitive :
          model_.meshes[static_cast<std::size_t>(number)].primitives) {
         if (!has_triangles(primitive)) {
@@ -105,18 +142,20 @@ Result<const std::vector<GltfTriangles>*> GltfReader::mesh_of(int number) {
         }
         auto triangles = triangles_of(primitive, accessors_, caps_);
         if (!triangles) return triangles.error();
-        primitives.push_back(*std::move(triangles));
+        primitives.push_back(coloured(*std::move(triangles), colour_of(model_, primitive)));
     }
     return &(meshes_[number] = std::move(primitives));
 }
 
-Result<void> GltfReader::add_triangles(const GltfTriangles& triangles, const Matrix4& matrix) {
+Result<void> GltfReader::add_triangles(const ColouredTriangles& coloured, const Matrix4& matrix) {
+    const GltfTriangles& triangles = coloured.triangles;
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0.0;
     // Vertices that no corner refers to stay behind: primitives often share their positions.
     std::vector<std::uint32_t> numbers(triangles.positions.size(), kNone);
     for (std::size_t at = 0; at + 2 < triangles.corners.size(); at += 3) {
         std::array<std::uint32_t, 3> corners{};
+        mesh::CornerColours colours = {coloured.colour, coloured.colour, coloured.colour};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t local = triangles.corners[at + corner];
             if (numbers[local] == kNone) {
@@ -127,9 +166,14 @@ Result<void> GltfReader::add_triangles(const GltfTriangles& triangles, const Mat
                 numbers[local] = *number;
             }
             corners[corner] = numbers[local];
+            if (!coloured.of_vertex.empty()) colours[corner] = coloured.of_vertex[local];
         }
-        if (mirrored) std::swap(corners[1], corners[2]);
+        if (mirrored) {
+            std::swap(corners[1], corners[2]);
+            std::swap(colours[1], colours[2]);
+        }
         if (auto added = scene_.add_face(corners); !added) return added;
+        scene_.colour_face(corners, colours);
     }
     return {};
 }
@@ -139,7 +183,7 @@ Result<void> GltfReader::add_mesh(const tinygltf::Node& node, const Matrix4& mat
     if (!primitives) return primitives.error();
     scene_.begin_object(node.name.empty() ? model_.meshes[static_cast<std::size_t>(node.mesh)].name
                                           : node.name);
-    for (const GltfTriangles& triangles : **primitives) {
+    for (const ColouredTriangles& triangles : **primitives) {
         if (auto added = add_triangles(triangles, matrix); !added) return added;
     }
     scene_.end_object();

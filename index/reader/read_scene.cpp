@@ -1,12 +1,16 @@
 #include "index/reader/read_scene.h"
 
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,6 +97,32 @@ SceneFrame frame_of(const aiScene& scene, std::string_view bytes, mesh::ModelFor
     }
 }
 
+mesh::Colour colour_from(float red, float green, float blue) {
+    mesh::Colour colour{};
+    const std::array channels = {red, green, blue};
+    for (std::size_t i = 0; i < colour.size(); ++i) {
+        const float whole = std::isfinite(channels[i]) ? std::clamp(channels[i], 0.0F, 1.0F) : 0.0F;
+        colour[i] = static_cast<std::uint8_t>(std::lround(255.0F * whole));
+    }
+    return colour;
+}
+
+/// Diffuse, as these formats' programs show it; white where the file names no material, for which
+/// assimp puts a grey one.
+mesh::Colour material_colour(const aiScene& scene, unsigned int number) {
+    constexpr mesh::Colour kWhite = {255, 255, 255};
+    if (number >= scene.mNumMaterials || scene.mMaterials[number] == nullptr) return kWhite;
+    const aiMaterial& material = *scene.mMaterials[number];
+    aiString name;
+    if (material.Get(AI_MATKEY_NAME, name) == AI_SUCCESS &&
+        std::string_view(name.C_Str()) == AI_DEFAULT_MATERIAL_NAME) {
+        return kWhite;
+    }
+    aiColor4D diffuse;
+    if (material.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) != AI_SUCCESS) return kWhite;
+    return colour_from(diffuse.r, diffuse.g, diffuse.b);
+}
+
 class SceneReader {
 public:
     SceneReader(const aiScene& scene, const mesh::ReadMeshOptions& caps)
@@ -103,12 +133,31 @@ public:
 private:
     Result<void> add_node(const aiNode& node, const Matrix4& matrix);
     Result<void> add_mesh(const aiMesh& mesh, const Matrix4& matrix);
+    void colour_face(const aiMesh& mesh, const aiFace& face, bool mirrored,
+                     const mesh::Colour& material);
 
     const aiScene& scene_;
     SceneBuilder builder_;
     std::vector<std::uint32_t> corners_;
+    std::vector<mesh::Colour> colours_;
     std::size_t lines_and_points_ = 0;
 };
+
+/// The face of `corners_`, by its vertices' colours, else its material's.
+void SceneReader::colour_face(const aiMesh& mesh, const aiFace& face, bool mirrored,
+                              const mesh::Colour& material) {
+    if (!mesh.HasVertexColors(0)) return builder_.colour_face(material);
+    colours_.clear();
+    bool said = false;
+    for (unsigned int i = 0; i < face.mNumIndices; ++i) {
+        const aiColor4D& colour =
+            mesh.mColors[0][face.mIndices[mirrored ? face.mNumIndices - 1 - i : i]];
+        colours_.push_back(colour_from(colour.r, colour.g, colour.b));
+        // Of AMF, assimp gives vertices without a colour a black one that cannot be seen.
+        said = said || colour.a > 0.0F || !colour.IsBlack();
+    }
+    if (said) builder_.colour_face(corners_, colours_);
+}
 
 Result<void> SceneReader::add_mesh(const aiMesh& mesh, const Matrix4& matrix) {
     std::vector<std::uint32_t> numbers;
@@ -123,6 +172,7 @@ Result<void> SceneReader::add_mesh(const aiMesh& mesh, const Matrix4& matrix) {
         numbers.push_back(*number);
     }
     const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0.0;
+    const mesh::Colour material = material_colour(scene_, mesh.mMaterialIndex);
     for (unsigned int f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
         if (face.mNumIndices < 3) {
@@ -140,6 +190,7 @@ Result<void> SceneReader::add_mesh(const aiMesh& mesh, const Matrix4& matrix) {
             corners_.push_back(numbers[corner]);
         }
         if (auto added = builder_.add_face(corners_); !added) return added;
+        colour_face(mesh, face, mirrored, material);
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,20 +15,19 @@
 
 #include "index/reader/beam_lattice.h"
 #include "index/reader/scene_builder.h"
+#include "index/reader/three_mf_colours.h"
 #include "index/reader/three_mf_extensions.h"
 #include "index/reader/three_mf_package.h"
 
 namespace ossuary::index {
 namespace {
 
+using three_mf::Instance;
+using three_mf::made_by;
 using Matrix4 = Eigen::Matrix4d;
 
 using Handle = NMR::PLib3MFBase;
-
-struct Release {
-    void operator()(Handle* instance) const { NMR::lib3mf_release(instance); }
-};
-using Instance = std::unique_ptr<Handle, Release>;
+using Colours = std::vector<std::optional<mesh::CornerColours>>;
 
 Error invalid(const std::string& found) {
     return {ErrorCode::kThreeMfInvalid, "expected a 3MF package, found " + found};
@@ -40,14 +40,6 @@ Error library_error(Handle* instance, const char* doing) {
         return invalid(std::string("one that cannot be used (") + doing + ")");
     }
     return invalid("an error (" + std::string(doing) + "): " + text);
-}
-
-/// What a call hands over through its last argument.
-template <typename Call>
-Instance made_by(Call call) {
-    Handle* made = nullptr;
-    if (call(&made) != LIB3MF_OK) made = nullptr;
-    return Instance(made);
 }
 
 /// Rows of the file's matrix are the images of the axes and the origin.
@@ -83,9 +75,10 @@ private:
     Result<void> add_components(Handle* object, const Matrix4& matrix, int depth);
     Result<void> add_mesh(Handle* object, const Matrix4& matrix);
     Result<void> add_beams(Handle* object, const Matrix4& matrix);
+    /// @param colours  of each triangle, or none
     Result<void> add_placed(std::span<const Vec3> vertices,
                             std::span<const mesh::TriangleMesh::Triangle> triangles,
-                            const Matrix4& matrix);
+                            const Colours& colours, const Matrix4& matrix);
 
     const mesh::ReadMeshOptions& caps_;
     SceneBuilder scene_;
@@ -149,7 +142,7 @@ Result<void> ThreeMfReader::hear_warnings(Handle* reader) {
 
 Result<void> ThreeMfReader::add_placed(std::span<const Vec3> vertices,
                                        std::span<const mesh::TriangleMesh::Triangle> triangles,
-                                       const Matrix4& matrix) {
+                                       const Colours& colours, const Matrix4& matrix) {
     numbers_.clear();
     for (const Vec3& vertex : vertices) {
         const Vec3 placed = matrix.topLeftCorner<3, 3>() * vertex + matrix.topRightCorner<3, 1>();
@@ -158,7 +151,8 @@ Result<void> ThreeMfReader::add_placed(std::span<const Vec3> vertices,
         numbers_.push_back(*number);
     }
     const bool mirrored = matrix.topLeftCorner<3, 3>().determinant() < 0.0;
-    for (const mesh::TriangleMesh::Triangle& triangle : triangles) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const mesh::TriangleMesh::Triangle& triangle = triangles[t];
         std::array<std::uint32_t, 3> corners{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             if (triangle[corner] >= vertices.size()) return invalid("a corner that is no vertex");
@@ -166,6 +160,9 @@ Result<void> ThreeMfReader::add_placed(std::span<const Vec3> vertices,
         }
         if (mirrored) std::swap(corners[1], corners[2]);
         if (auto added = scene_.add_face(corners); !added) return added;
+        if (colours.empty() || !colours[t]) continue;
+        const auto& [a, b, c] = *colours[t];
+        scene_.colour_face(corners, std::array{a, mirrored ? c : b, mirrored ? b : c});
     }
     return {};
 }
@@ -196,7 +193,10 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
         for (const NMR::MODELMESHTRIANGLE& face : faces) {
             corners.push_back({face.m_nIndices[0], face.m_nIndices[1], face.m_nIndices[2]});
         }
-        if (auto added = add_placed(vertices_, corners, matrix); !added) return added;
+        if (auto added = add_placed(vertices_, corners,
+                                    three_mf_colours(model_.get(), object, triangles), matrix);
+            !added)
+            return added;
     }
     return add_beams(object, matrix);
 }
@@ -235,7 +235,7 @@ Result<void> ThreeMfReader::add_beams(Handle* object, const Matrix4& matrix) {
     }
     const auto surface = beam_lattice_surface(vertices_, beams, caps_);
     if (!surface) return surface.error();
-    return add_placed(surface->vertices, surface->triangles, matrix);
+    return add_placed(surface->vertices, surface->triangles, {}, matrix);
 }
 
 Result<void> ThreeMfReader::add_components(Handle* object, const Matrix4& matrix, int depth) {

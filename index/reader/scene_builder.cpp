@@ -1,5 +1,6 @@
 #include "index/reader/scene_builder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ossuary::index {
@@ -45,6 +46,12 @@ void SceneBuilder::end_object() {
 
 mesh::ReadMeshResult SceneBuilder::take() {
     mesh::ReadMeshResult read = builder_.take();
+    constexpr mesh::Colour kWhite = {255, 255, 255};
+    std::vector<mesh::CornerColours>& colours = read.mesh.corner_colours;
+    const bool all_white = std::all_of(colours.begin(), colours.end(), [&](const auto& corners) {
+        return corners == mesh::CornerColours{kWhite, kWhite, kWhite};
+    });
+    if (all_white) colours = {};
     read.objects = std::move(objects_);
     return read;
 }

@@ -28,12 +28,19 @@ public:
     /// Errors: model_too_many_faces, model_too_many_corners.
     /// @pre  `corners` are numbers that add_vertex gave
     Result<void> add_face(std::span<const std::uint32_t> corners);
+    /// Colours the face that was added last: all of it, or each of its corners.
+    void colour_face(const mesh::Colour& colour) { builder_.colour_face(colour); }
+    void colour_face(std::span<const std::uint32_t> corners,
+                     std::span<const mesh::Colour> colours) {
+        builder_.colour_face(corners, colours);
+    }
     void end_object();
 
     void warn(const char* code, std::size_t count, std::string message) {
         builder_.warn(code, count, std::move(message));
     }
-    /// The scene; objects without triangles are not listed.
+    /// The scene; objects without triangles are not listed. A scene that is white all over has no
+    /// colours: that is what a material is of which its file says nothing.
     mesh::ReadMeshResult take();
 
 private:

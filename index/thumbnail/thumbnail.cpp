@@ -19,19 +19,9 @@ namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-float linear_from_srgb(std::uint8_t byte) {
-    const float s = static_cast<float>(byte) / 255.0f;
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
-
-std::uint8_t srgb_from_linear(float linear) {
-    const float x = std::clamp(linear, 0.0f, 1.0f);
-    const float s = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(std::lround(255.0f * s));
-}
-
 Vec3f linear_color(const Rgb& srgb) {
-    return {linear_from_srgb(srgb[0]), linear_from_srgb(srgb[1]), linear_from_srgb(srgb[2])};
+    return {mesh::linear_from_srgb(srgb[0]), mesh::linear_from_srgb(srgb[1]),
+            mesh::linear_from_srgb(srgb[2])};
 }
 
 Result<void> check(const mesh::TriangleMesh& mesh, const ThumbnailOptions& options) {
@@ -117,6 +107,9 @@ public:
                 triangle_colors_.push_back(linear_color(options.triangle_colors[source]));
             }
         }
+        for (std::size_t byte = 0; byte < light_of_.size(); ++byte) {
+            light_of_[byte] = mesh::linear_from_srgb(static_cast<std::uint8_t>(byte));
+        }
         for (const Vec3f& vertex : vertices) nearest_ = std::max(nearest_, vertex.z());
         nearest_ += 1.0f;
     }
@@ -139,8 +132,15 @@ public:
     }
 
 private:
-    [[nodiscard]] const Vec3f& color_at(const RayHit& hit) const {
-        return triangle_colors_.empty() ? color_ : triangle_colors_[hit.triangle];
+    /// That of the triangle as asked for, else the mesh's own, else the one for all.
+    [[nodiscard]] Vec3f color_at(const RayHit& hit) const {
+        if (!triangle_colors_.empty()) return triangle_colors_[hit.triangle];
+        if (mesh_.corner_colours.empty()) return color_;
+        const auto& [a, b, c] = mesh_.corner_colours[hit.triangle];
+        return (1 - hit.u - hit.v) * light(a) + hit.u * light(b) + hit.v * light(c);
+    }
+    [[nodiscard]] Vec3f light(const Rgb& srgb) const {
+        return {light_of_[srgb[0]], light_of_[srgb[1]], light_of_[srgb[2]]};
     }
 
     void paint_centers(const std::stop_token& stop) {
@@ -170,8 +170,9 @@ private:
         const auto size = static_cast<std::size_t>(options_.size);
         const auto compare = [&](std::size_t p, std::size_t q) {
             constexpr float kMuch = 0.3f;
+            constexpr float kAnotherColor = 1e-4f;  // more than colours that run evenly differ
             if ((normal_of_[p] - normal_of_[q]).squaredNorm() > kMuch ||
-                color_of_[p] != color_of_[q]) {
+                (color_of_[p] - color_of_[q]).squaredNorm() > kAnotherColor) {
                 refine[p] = refine[q] = 1;
             }
         };
@@ -219,6 +220,7 @@ private:
     SmoothNormals normals_;
     Vec3f color_;
     std::vector<Vec3f> triangle_colors_;
+    std::array<float, 256> light_of_{};  ///< of each byte of a colour
     float nearest_ = 0.0f;
     std::vector<Pixel> pixels_;
     std::vector<Vec3f> normal_of_;
@@ -240,7 +242,7 @@ std::vector<std::uint8_t> to_bytes(const std::vector<Pixel>& pixels,
         if (options.background) {
             light = pixel.covered * light + (1 - pixel.covered) * linear_color(*options.background);
         }
-        for (const float x : light) bytes.push_back(srgb_from_linear(x));
+        for (const float x : light) bytes.push_back(mesh::srgb_from_linear(x));
         if (!options.background) {
             bytes.push_back(static_cast<std::uint8_t>(std::lround(255.0f * pixel.covered)));
         }

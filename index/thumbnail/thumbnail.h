@@ -19,8 +19,9 @@ struct ThumbnailOptions {
     Vec3 towards_viewer = Vec3(0.55, 0.45, 1.0);
     Vec3 up = Vec3::UnitY();
     double margin = 0.05;                                 ///< empty border, in parts of the picture
-    std::array<std::uint8_t, 3> color = {214, 204, 184};  ///< of the surface, sRGB
-    /// Of each triangle instead; none, or as many as the mesh has triangles.
+    std::array<std::uint8_t, 3> color = {214, 204, 184};  ///< of a mesh without colours, sRGB
+    /// Of each triangle instead, and instead of the mesh's own; none, or as many as the mesh has
+    /// triangles.
     std::vector<std::array<std::uint8_t, 3>> triangle_colors = {};
     /// sRGB; transparent where none is given.
     std::optional<std::array<std::uint8_t, 3>> background = std::nullopt;

@@ -58,12 +58,16 @@ Checked<Response> add_model(Service& service, const Request& request) {
 Checked<Response> change_model(Service& service, const Request& request) {
     ParameterReader reader(request.head);
     reader.require("up");
-    const std::string axis = reader.choice("up", {"y", "z", "auto"}).value_or("");
+    const std::string axis = reader.choice("up", {"x", "y", "z", "auto"}).value_or("");
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
     const auto id = parse_id(request.capture, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     std::optional<index::Up> up;
-    if (axis != "auto") up = axis == "z" ? index::Up::kZ : index::Up::kY;
+    if (axis != "auto") {
+        const auto parsed = index::parse_up(axis);
+        if (!parsed) return fail(parsed.error());
+        up = *parsed;
+    }
     if (const auto turned = service.jobs->turn(*id, up); !turned) return fail(turned.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());

@@ -7,6 +7,8 @@
 #include "engine/voxel/read_model.h"
 #include "index/describe_model.h"
 #include "index/presentation.h"
+#include "index/preview.h"
+#include "index/upright.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
 
@@ -29,11 +31,6 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     reader.text("name");
     parameters.fault = reader.finish();
     return parameters;
-}
-
-nlohmann::json preview_of(const mesh::TriangleMesh& mesh, const std::stop_token& stop) {
-    const mesh::TriangleMesh coarse = mesh::decimate(mesh, {}, stop);
-    return index::to_json(index::make_preview(coarse), mesh::measure(mesh).bounds);
 }
 
 }  // namespace
@@ -66,12 +63,18 @@ Checked<Response> search(Service& service, const Request& request) {
     result->warnings.insert(result->warnings.begin(), query->warnings.begin(),
                             query->warnings.end());
     service.metrics.search(result->stages_ms);
-    auto json =
-        index::to_json(*result, {upload->name, query->mesh.vertices.size(), query->mesh.face_count},
-                       parameters.options.rank);
+    index::QueryDescription description{upload->name, query->mesh.vertices.size(),
+                                        query->mesh.face_count, index::frame_of(*query)};
+    description.up = description.frame.up;
+    nlohmann::json preview;
     if (parameters.with_mesh) {
-        json["query"]["mesh"] = preview_of(result->query_body.of(query->mesh), request.stop);
+        const mesh::TriangleMesh& body = result->query_body.of(query->mesh);
+        const mesh::TriangleMesh coarse = mesh::decimate(body, {}, request.stop);
+        if (!description.up) description.up = index::find_up(coarse);
+        preview = index::to_json(index::make_preview(coarse), mesh::measure(body).bounds);
     }
+    auto json = index::to_json(*result, description, parameters.options.rank);
+    if (parameters.with_mesh) json["query"]["mesh"] = std::move(preview);
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
     return response;

@@ -35,10 +35,11 @@ Checked<Response> similar(Service& service, const Request& request) {
     const auto result = service.searcher.similar(*id, options, request.stop);
     if (!result) return fail(result.error());
     const index::ModelSummary& model = (*snapshot)->models()[*position];
-    return conditional(request.head,
-                       json_answer(index::to_json(
-                           *result, {model.name, model.vertices, model.faces}, options.rank)),
-                       std::move(etag));
+    return conditional(
+        request.head,
+        json_answer(index::to_json(*result, {model.name, model.vertices, model.faces, model.frame},
+                                   options.rank)),
+        std::move(etag));
 }
 
 }  // namespace ossuary::server

@@ -3,8 +3,8 @@ import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 
 import { type ServedCollection, serveCollection } from './collection';
 import { kClasses, kModelsPerClass } from './models';
-import { changedPixels, looksOf, pictureOf, untilDrawn } from './pictures';
-import { type Visitor, visit } from './visitor';
+import { changedPixels, looksOf, pictureOf, redShare, untilDrawn } from './pictures';
+import { kPatienceMs, type Visitor, visit } from './visitor';
 
 const kModels = kClasses.length * kModelsPerClass;
 const kSmall = { width: 1000, height: 480 };
@@ -280,6 +280,30 @@ describe('the 3D comparison', () => {
         await page.locator('dialog .no-webgl').waitFor();
         expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
         expectGoodManners();
+    });
+});
+
+describe('a model whose file has colours', () => {
+    it('is shown in them, and without them by a switch', async () => {
+        const page = await open('#/', { viewport: kSmall });
+        await upload(page, collection.models.painted);
+        const canvas = page.locator('.query-picture canvas');
+        await canvas.waitFor({ timeout: kPatienceMs });
+        const painted = await pictureOf(canvas);
+        const control = page.locator('.query-picture').getByLabel('Colours of the file');
+        expect(await control.isChecked()).toBe(true);
+        expect(await redShare(painted, page)).toBeGreaterThan(0.05);
+        await control.uncheck();
+        const plain = await pictureOf(canvas);
+        expect(await redShare(plain, page)).toBeLessThan(0.01);
+        expect(await page.locator('.query .facts').textContent()).toContain('×');
+        expectGoodManners();
+    });
+
+    it('has no such switch where the file has none', async () => {
+        const page = await open(`#/models/${kModels}`, { viewport: kSmall });
+        await untilDrawn(page.locator('.query-picture canvas'));
+        expect(await page.locator('.color-control').count()).toBe(0);
     });
 });
 

@@ -54,7 +54,8 @@ const kFaces = [
     [1, 3, 7, 5],
 ];
 
-function off(boxes: readonly Box[]): string {
+/** @param color of each face, as OFF files have it; none where it is empty */
+function off(boxes: readonly Box[], color = ''): string {
     const vertices: string[] = [];
     const faces: string[] = [];
     for (const { low, high } of boxes) {
@@ -66,7 +67,7 @@ function off(boxes: readonly Box[]): string {
             vertices.push(at.join(' '));
         }
         for (const face of kFaces) {
-            faces.push(`4 ${face.map((corner) => first + corner).join(' ')}`);
+            faces.push(`4 ${face.map((corner) => first + corner).join(' ')} ${color}`);
         }
     }
     return `OFF\n${vertices.length} ${faces.length} 0\n${[...vertices, ...faces].join('\n')}\n`;
@@ -83,6 +84,8 @@ export interface WrittenModels {
     /** Not in the folder: a quadruped of other proportions. */
     query: string;
     truncated: string;
+    /** The same as `query`, red all over. */
+    painted: string;
 }
 
 /** A small collection of three classes, and what the tests upload, below `folder`. */
@@ -92,6 +95,7 @@ export function writeModels(folder: string): WrittenModels {
         classes: join(folder, 'classes.cla'),
         query: join(folder, 'query.off'),
         truncated: join(folder, 'truncated.off'),
+        painted: join(folder, 'painted.off'),
     };
     mkdirSync(written.folder);
     const lines = ['PSB 1', `${kClasses.length} ${kClasses.length * kModelsPerClass}`, ''];
@@ -109,6 +113,7 @@ export function writeModels(folder: string): WrittenModels {
     writeFileSync(written.classes, lines.join('\n'));
     const query = off(quadruped(2.5, 1.6));
     writeFileSync(written.query, query);
+    writeFileSync(written.painted, off(quadruped(2.5, 1.6), '255 0 0'));
     writeFileSync(written.truncated, query.slice(0, Math.floor(0.6 * query.length)));
     return written;
 }

@@ -35,6 +35,19 @@ function pixelsOf(picture: Buffer, page: Page): Promise<JSHandle<ImageData>> {
     }, picture.toString('base64'));
 }
 
+/** How much of a picture is clearly red, 0 to 1. */
+export async function redShare(picture: Buffer, page: Page): Promise<number> {
+    const pixels = await pixelsOf(picture, page);
+    return pixels.evaluate(({ data }) => {
+        let red = 0;
+        for (let at = 0; at + 2 < data.length; at += 4) {
+            const others = Math.max(data[at + 1] ?? 0, data[at + 2] ?? 0);
+            red += (data[at] ?? 0) > 2 * others && (data[at] ?? 0) > 60 ? 1 : 0;
+        }
+        return (4 * red) / data.length;
+    });
+}
+
 export interface Looks {
     colors: number;
     /** Share of the picture, 0 to 1. */

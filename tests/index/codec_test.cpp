@@ -364,6 +364,42 @@ TEST(Codec, ReadsPreviewsOfVersionOneAboutTheFilesOrigin) {
     ASSERT_TRUE(decoded) << decoded.error().message;
     EXPECT_EQ(decoded->origin, Vec3(0, 0, 0));
     EXPECT_EQ(decoded->positions.back(), 5.F);
+    EXPECT_EQ(decoded->colours, PreviewColours{});
+}
+
+TEST(Codec, KeepsTheColoursOfPreviewsWhateverTheyAreOf) {
+    using Of = PreviewColours::Of;
+    PreviewMesh mesh = test::sample_model(1, "").preview;
+    const std::size_t triangles = mesh.triangles.size() / 3;
+    const std::size_t vertices = mesh.positions.size() / 3;
+    for (const auto& [of, count] : {std::pair(Of::kNothing, std::size_t{0}),
+                                    {Of::kModel, std::size_t{1}},
+                                    {Of::kVertices, vertices},
+                                    {Of::kTriangles, triangles},
+                                    {Of::kCorners, 3 * triangles}}) {
+        mesh.colours = {of, {}};
+        for (std::size_t i = 0; i < 3 * count; ++i) {
+            mesh.colours.bytes.push_back(static_cast<std::uint8_t>(17 * i + 3));
+        }
+        const auto decoded = decode_preview(encode_preview(mesh));
+        ASSERT_TRUE(decoded) << decoded.error().message;
+        EXPECT_EQ(decoded->colours, mesh.colours);
+        mesh.colours.bytes.push_back(1);
+        EXPECT_FALSE(decode_preview(encode_preview(mesh)));
+    }
+    mesh.colours = {static_cast<Of>(5), {}};
+    EXPECT_FALSE(decode_preview(encode_preview(mesh)));
+}
+
+TEST(EarlierVersions, OfPreviewsHaveNoColours) {
+    PreviewMesh mesh = test::sample_model(1, "").preview;
+    mesh.colours = {};
+    std::string payload(*open_blob(kPreviewBlob, encode_preview(mesh)));
+    payload.pop_back();  // what the colours are of
+    const auto decoded = decode_preview(seal_blob({"MESH", 2}, payload));
+    ASSERT_TRUE(decoded) << decoded.error().message;
+    EXPECT_EQ(decoded->positions, mesh.positions);
+    EXPECT_EQ(decoded->colours, PreviewColours{});
 }
 
 TEST(Codec, KeepsPreviewsWithManyVertices) {

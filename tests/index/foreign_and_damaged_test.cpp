@@ -167,6 +167,8 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
              "UPDATE models SET min_x = 1e9 WHERE id = 2",
              "UPDATE models SET revision = 1000 WHERE id = 2",
              "UPDATE models SET name = '' WHERE id = 2",
+             "UPDATE file_frames SET metres_per_unit = 1e999 WHERE model = 2",
+             "PRAGMA ignore_check_constraints = 1; UPDATE file_frames SET up = 'w' WHERE model = 2",
              "UPDATE statistics SET statistics = x'00'",
              "UPDATE statistics SET revision = 1000",
              "DELETE FROM statistics",
@@ -208,6 +210,8 @@ TEST_F(DamagedIndex, VerifyFindsChangedTextAndNumbersByTheirChecksums) {
              "UPDATE models SET surface_area = surface_area * 1.0000001 WHERE id = 2",
              "UPDATE models SET indexed_at = '2020-01-01T00:00:00Z' WHERE id = 2",
              "UPDATE models SET revision = 1 WHERE id = 2",
+             "UPDATE file_frames SET metres_per_unit = 1 WHERE model = 2",
+             "UPDATE file_frames SET up = 'y' WHERE model = 2",
              "UPDATE models SET checksum = checksum + 1 WHERE id = 2",
              "UPDATE models SET checksum = NULL WHERE id = 2",
              "UPDATE failures SET path = '/m/y.off'",
@@ -341,6 +345,10 @@ TEST_P(OldVersion, IsMigratedWithItsModels) {
         ASSERT_TRUE(store) << store.error().message;
         EXPECT_EQ(store->version(), schema_version());
         EXPECT_EQ(store->model(1)->name, "a");
+        EXPECT_EQ(store->model(1)->frame, FileFrame{});
+        const bool turned = GetParam() >= kFirstVersionWithOrientations;
+        EXPECT_EQ(store->model(1)->orientation,
+                  turned ? (Orientation{Up::kZ, true}) : Orientation{});
         EXPECT_EQ(*store->revision(), 1);
         EXPECT_TRUE(store->put(test::sample_model(4, "/m/b.off")));
         EXPECT_TRUE(store->put_statistics({{1.0}}, *store->revision()));

@@ -1,4 +1,5 @@
 #include "index/model_segments.h"
+#include "index/preview.h"
 
 #include <gtest/gtest.h>
 

@@ -110,6 +110,8 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
     for (int i = 0; i < 16; ++i) model.descriptor.signature.push_back(numbers.small());
     model.preview.positions = {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, numbers.small(), 0.0F};
     model.preview.triangles = {0, 1, 2, 0, 2, 1, 2, 1, 0};
+    model.preview.colours = {index::PreviewColours::Of::kVertices, {255, 0, 0, 0, 255, 0, 9, 8, 7}};
+    model.summary.frame = {1e-3, index::Up::kZ};
     model.segments.emplace();
     model.segments->parts = {{2, numbers.real(), 0, {1}}, {1, numbers.real(), -1, {0}}};
     model.segments->labels = {0, 1, 0};
@@ -168,8 +170,8 @@ std::string index_text(const fs::path& path) {
     std::string text;
     for (const std::string table :
          {"parameters", "state", "models", "signatures", "descriptors", "skeletons", "branches",
-          "previews", "segments", "thumbnails", "failures", "statistics", "evaluations", "uploads",
-          "upload_pieces"}) {
+          "previews", "segments", "thumbnails", "orientations", "file_frames", "failures",
+          "statistics", "evaluations", "uploads", "upload_pieces"}) {
         text += "== " + table + "\n";
         SQLite::Statement rows(database, "SELECT * FROM " + table + " ORDER BY 1, 2");
         while (rows.executeStep()) {
@@ -205,10 +207,11 @@ namespace {
 
 void seal_all(SQLite::Database& database) {
     index::add_checksum_function(database);
-    for (const index::ChecksummedTable& table : index::checksummed_tables()) {
+    for (const index::ChecksummedTable& table :
+         index::checksummed_tables(index::schema_version())) {
         database.exec("UPDATE " + std::string(table.table) + " SET checksum = NULL");
     }
-    index::seal_unsealed_rows(database);
+    index::seal_unsealed_rows(database, index::schema_version());
 }
 
 }  // namespace
@@ -282,6 +285,9 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
             index::encode_globals(model.descriptor.globals)});
     insert("INSERT INTO skeletons VALUES (1, ?)", {index::encode_skeleton(model.skeleton)});
     insert("INSERT INTO previews VALUES (1, ?)", {index::encode_preview(model.preview)});
+    if (version >= index::kFirstVersionWithOrientations) {
+        database.exec("INSERT INTO orientations VALUES (1, 'z', 'person')");
+    }
     if (with_segments) {
         insert("INSERT INTO segments VALUES (1, ?)", {index::encode_segments(*model.segments)});
     }
@@ -297,7 +303,7 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
     }
     if (version >= index::kFirstVersionWithUploads) {
         index::add_checksum_function(database);
-        index::seal_unsealed_rows(database);
+        index::seal_unsealed_rows(database, version);
     }
 }
 

@@ -47,6 +47,7 @@ TEST_F(StoreTest, GivesBackWhatWasPut) {
     EXPECT_EQ(summary->bounds.min(), model.summary.bounds.min());
     EXPECT_EQ(summary->bounds.max(), model.summary.bounds.max());
     EXPECT_EQ(summary->surface_area, model.summary.surface_area);
+    EXPECT_EQ(summary->frame, model.summary.frame);
     ASSERT_EQ(summary->warnings.size(), 1U);
     EXPECT_EQ(summary->warnings[0].message, model.summary.warnings[0].message);
     EXPECT_EQ(summary->indexed_at.size(), std::string("2026-01-01T00:00:00Z").size());
@@ -57,6 +58,7 @@ TEST_F(StoreTest, GivesBackWhatWasPut) {
     ASSERT_EQ(skeleton->chain_codes.size(), model.descriptor.skeleton.branches.size());
     EXPECT_EQ(skeleton->chain_codes[0], model.descriptor.skeleton.branches[0].chain_code);
     EXPECT_EQ(store.preview(*id)->triangles, model.preview.triangles);
+    EXPECT_EQ(store.preview(*id)->colours, model.preview.colours);
     const auto segments = store.segments(*id);
     ASSERT_TRUE(segments && *segments);
     EXPECT_EQ(encode_segments(**segments), encode_segments(*model.segments));

@@ -106,6 +106,15 @@ TEST(Upright, TurnsThumbnailsAlone) {
     EXPECT_EQ(*render_thumbnail(lamp()), *upright) << "as ever";
 }
 
+TEST(Upright, DrawsModelsUprightWhoseXAxisPointsUp) {
+    mesh::TriangleMesh lying = lamp();
+    for (Vec3& vertex : lying.vertices) vertex = Vec3(vertex.y(), -vertex.x(), vertex.z());
+    const auto upright = render_thumbnail(lamp(), thumbnail_options(Up::kY));
+    const auto turned = render_thumbnail(lying, thumbnail_options(Up::kX));
+    ASSERT_TRUE(upright && turned);
+    EXPECT_EQ(*turned, *upright);
+}
+
 /// An index with two copies of a model, one on its back.
 class Turning : public testing::Test {
 protected:
@@ -195,10 +204,21 @@ TEST_F(Turning, LeavesModelsOfEarlierIndexesAsTheyWere) {
     test::expect_sound(*store);
 }
 
+TEST_F(Turning, GoesBackToWhatTheFileSays) {
+    NewModel model = test::sample_model(3, "/m/a.dae");
+    model.summary.frame = {0.0254, Up::kX};
+    model.summary.orientation = {Up::kX, false};
+    const auto id = store_->put(model);
+    ASSERT_TRUE(id) << id.error().message;
+    EXPECT_EQ(*turn_model(*store_, *id, Up::kY), (Orientation{Up::kY, true}));
+    EXPECT_EQ(*turn_model(*store_, *id, {}), (Orientation{Up::kX, false}));
+    EXPECT_EQ(store_->model(*id)->frame, model.summary.frame);
+}
+
 TEST_F(Turning, IsVerified) {
     index();
     test::execute_sql(folder_.path() / "x.index",
-                      "PRAGMA ignore_check_constraints = 1; UPDATE orientations SET up = 'x' WHERE "
+                      "PRAGMA ignore_check_constraints = 1; UPDATE orientations SET up = 'w' WHERE "
                       "model = 1;");
     EXPECT_EQ(store_->model(1).error().code, ErrorCode::kIndexCorrupt);
     EXPECT_FALSE(store_->verify()->findings.empty());

@@ -106,6 +106,27 @@ TEST_F(Search, GivesAPreviewOfTheQueryWhenAsked) {
     EXPECT_EQ(mesh["triangles"].size() % 3, 0u);
     EXPECT_LE(mesh["triangles"].size(), 3u * 2000u);
     for (const auto& corner : mesh["triangles"]) EXPECT_LT(corner, mesh["positions"].size() / 3);
+    EXPECT_TRUE(mesh["colours"].is_null());
+}
+
+TEST_F(Search, GivesColoursUnitAndUprightAxisOfTheQuery) {
+    mesh::TriangleMesh painted = mesh::read_mesh(tree(), "tree")->mesh;
+    const std::string in_millimetres = three_mf_of(painted);
+    constexpr mesh::Colour kOrange = {255, 128, 0};
+    painted.corner_colours.assign(painted.triangles.size(), {kOrange, kOrange, kOrange});
+    const std::string ply = mesh::to_ply(painted);
+    auto query = server_.json(post("/v1/search?include=mesh&limit=1", ply))["query"];
+    EXPECT_EQ(query["mesh"]["colours"]["of"], "model");
+    EXPECT_EQ(query["mesh"]["colours"]["values"], nlohmann::json({255, 128, 0}));
+    EXPECT_TRUE(query["unit"].is_null());
+    EXPECT_TRUE(query["metres_per_unit"].is_null());
+    EXPECT_TRUE(query["up"] == "y" || query["up"] == "z");
+    query = server_.json(post("/v1/search?limit=1", in_millimetres))["query"];
+    EXPECT_EQ(query["unit"], "mm");
+    EXPECT_EQ(query["metres_per_unit"], 1e-3);
+    EXPECT_EQ(query["up"], "z");
+    query = server_.json(get("/v1/models/1/similar"))["query"];
+    EXPECT_TRUE(query["unit"].is_null());
 }
 
 TEST_F(Search, TakesFormsAndNamesTheQueryAfterTheFile) {

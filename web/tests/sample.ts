@@ -47,6 +47,7 @@ export const kMesh: PreviewMesh = {
     origin: [0, 0, 0],
     positions: [0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 1],
     triangles: [0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3],
+    colours: null,
     bounds: { min: [0, 0, 0], max: [3, 1, 1] },
 };
 
@@ -63,6 +64,9 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
         branches: 2,
         bounds: kMesh.bounds,
         surface_area: 1,
+        unit: null,
+        metres_per_unit: null,
+        up_from: 'shape',
         indexed_at: '2026-01-01T00:00:00Z',
         up: 'y',
         warnings: [],
@@ -110,6 +114,8 @@ export function searchResult(hits: Hit[] = [hit(1), hit(2)]): SearchResult {
             name: 'elephant',
             vertices: 10,
             faces: 20,
+            unit: null,
+            metres_per_unit: null,
             warnings: [],
             skeleton: kSkeleton,
             mesh: kMesh,

@@ -39,6 +39,12 @@ ModelCase read_case(const fs::path& path) {
         } else if (key == "warning") {
             std::string code;
             lines >> code >> model_case.warnings[code];
+        } else if (key == "colours") {
+            std::getline(lines >> std::ws, model_case.colours.emplace());
+        } else if (key == "unit") {
+            lines >> model_case.metres_per_unit.emplace();
+        } else if (key == "up") {
+            lines >> model_case.up.emplace();
         } else if (key == "code") {
             lines >> model_case.code;
         } else if (key == "line") {
@@ -84,6 +90,27 @@ std::vector<FormatCase> format_cases(const std::vector<std::string>& formats,
     return cases;
 }
 
+std::string colours_text(const mesh::TriangleMesh& mesh) {
+    std::string text;
+    const auto put = [&](const mesh::Colour& colour) {
+        constexpr std::string_view kDigits = "0123456789abcdef";
+        for (const std::uint8_t channel : colour) {
+            text += kDigits[channel / 16];
+            text += kDigits[channel % 16];
+        }
+    };
+    for (const auto& [a, b, c] : mesh.corner_colours) {
+        if (!text.empty()) text += ' ';
+        put(a);
+        if (a == b && b == c) continue;
+        for (const mesh::Colour& other : {b, c}) {
+            text += '/';
+            put(other);
+        }
+    }
+    return text.empty() ? "none" : text;
+}
+
 std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings) {
     std::map<std::string, std::size_t> counts;
     for (const mesh::MeshWarning& warning : warnings) counts[warning.code] += warning.count;
@@ -96,6 +123,9 @@ void expect_read(const Result<mesh::ReadMeshResult>& read, const ModelCase& expe
     EXPECT_EQ(read->mesh.face_count, expected.faces);
     EXPECT_EQ(read->mesh.triangles.size(), expected.triangles);
     EXPECT_EQ(counted(read->warnings), expected.warnings);
+    if (expected.colours) {
+        EXPECT_EQ(colours_text(read->mesh), *expected.colours);
+    }
     if (expected.area) {
         EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *expected.area, 1e-6);
     }

@@ -21,6 +21,10 @@ struct ModelCase {
     std::size_t triangles = 0;
     std::optional<double> area;
     std::map<std::string, std::size_t> warnings;  ///< code → count
+    /// As colours_text, where the case is about colours.
+    std::optional<std::string> colours;
+    std::optional<double> metres_per_unit;
+    std::optional<char> up;
     // for files that cannot
     std::string code;
     std::size_t line = 0;           ///< 0 where the message names none
@@ -43,6 +47,9 @@ std::vector<ModelCase> model_cases(const std::string& format, const std::string&
 /// Those of each format.
 std::vector<FormatCase> format_cases(const std::vector<std::string>& formats,
                                      const std::string& folder);
+/// The colours of a mesh: of each triangle `rrggbb`, or `rrggbb/rrggbb/rrggbb` where its corners
+/// differ; `none`.
+std::string colours_text(const mesh::TriangleMesh& mesh);
 
 /// How often each code comes.
 std::map<std::string, std::size_t> counted(const std::vector<mesh::MeshWarning>& warnings);

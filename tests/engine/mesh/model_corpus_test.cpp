@@ -18,7 +18,11 @@ class ModelCorpusGood : public testing::TestWithParam<FormatCase> {};
 
 TEST_P(ModelCorpusGood, IsReadAsExpected) {
     const ModelCase& expected = GetParam().model;
-    expect_read(mesh::read_mesh(expected.bytes, expected.name), expected);
+    const auto read = mesh::read_mesh(expected.bytes, expected.name);
+    expect_read(read, expected);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->metres_per_unit, 0.0);
+    EXPECT_FALSE(read->up);
 }
 
 TEST_P(ModelCorpusGood, ComesBackTheSameThroughOff) {

@@ -23,6 +23,7 @@ TEST_P(OffCorpusGood, ComesBackTheSameAfterWriting) {
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->mesh.triangles, read->mesh.triangles);
     EXPECT_EQ(again->mesh.vertices, read->mesh.vertices);
+    EXPECT_EQ(again->mesh.corner_colours, read->mesh.corner_colours);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, OffCorpusGood, testing::ValuesIn(format_cases({"off"}, "ok")),

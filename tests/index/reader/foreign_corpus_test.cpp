@@ -29,7 +29,16 @@ TEST_P(ForeignCorpusGood, IsReadAsExpected) {
     expect_read(read, expected);
     ASSERT_TRUE(read);
     EXPECT_GT(read->metres_per_unit, 0.0);
-    EXPECT_TRUE(read->up);
+    ASSERT_TRUE(read->up);
+    if (expected.metres_per_unit) {
+        EXPECT_NEAR(read->metres_per_unit, *expected.metres_per_unit, 1e-9);
+    }
+    if (expected.up) {
+        EXPECT_EQ("xyz"[static_cast<int>(*read->up)], *expected.up);
+    }
+    if (expected.colours) {
+        EXPECT_EQ(colours_text(read->mesh), *expected.colours);
+    }
 }
 
 TEST_P(ForeignCorpusGood, GivesACodedErrorOrAMeshWhereItIsCutOrDamaged) {
@@ -59,8 +68,8 @@ TEST_P(ForeignCorpusGood, GivesACodedErrorOrAMeshWhereItIsCutOrDamaged) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood, testing::ValuesIn(format_cases(formats(), "ok")),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusGood,
+                         testing::ValuesIn(format_cases(formats(), "ok")), case_name);
 
 class ForeignCorpusBad : public ForeignCorpus {};
 
@@ -69,8 +78,8 @@ TEST_P(ForeignCorpusBad, IsRefusedAsExpected) {
     expect_refused(reader_.read({expected.bytes, "folder/model", {}}), expected, "folder/model");
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad, testing::ValuesIn(format_cases(formats(), "bad")),
-                         case_name);
+INSTANTIATE_TEST_SUITE_P(Corpus, ForeignCorpusBad,
+                         testing::ValuesIn(format_cases(formats(), "bad")), case_name);
 
 }  // namespace
 }  // namespace ossuary::test

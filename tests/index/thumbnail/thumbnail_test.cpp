@@ -224,6 +224,34 @@ TEST(Thumbnail, RefusesWhatHasNoPicture) {
     EXPECT_EQ(render_thumbnail(cube_mesh(), options).error().code, ErrorCode::kInvalidArgument);
 }
 
+/// A square seen from above, each of its triangles with these colours at the corners.
+Picture face_on(const mesh::CornerColours& colours) {
+    mesh::TriangleMesh square = test::square_mesh(1);
+    square.corner_colours.assign(square.triangles.size(), colours);
+    ThumbnailOptions options;
+    options.towards_viewer = Vec3::UnitZ();
+    return draw(square, options);
+}
+
+TEST(Thumbnail, ShowsTheColoursOfTheMesh) {
+    constexpr mesh::Colour kRed = {255, 0, 0}, kBlue = {0, 0, 255};
+    const Picture red = face_on({kRed, kRed, kRed});
+    const std::uint8_t* middle = red.at(100, 130);
+    EXPECT_GT(middle[0], 150);
+    EXPECT_LT(middle[1], 60);
+    EXPECT_LT(middle[2], 60);
+    const Picture mixed = face_on({kRed, kBlue, kBlue});
+    const std::uint8_t* between = mixed.at(128, 128);
+    EXPECT_GT(between[2], 100);
+    EXPECT_LT(between[1], 60);
+    mesh::TriangleMesh plain = test::square_mesh(1);
+    ThumbnailOptions asked;
+    asked.towards_viewer = Vec3::UnitZ();
+    asked.triangle_colors.assign(plain.triangles.size(), kRed);
+    plain.corner_colours.assign(plain.triangles.size(), {kBlue, kBlue, kBlue});
+    EXPECT_EQ(draw(plain, asked).rgba, red.rgba) << "what is asked for comes first";
+}
+
 TEST(Thumbnail, TakesFlatDegenerateAndEnormousModels) {
     EXPECT_GT(draw(test::square_mesh(3)).coverage(), 0.1);
     mesh::TriangleMesh mesh = cube_mesh();

@@ -21,20 +21,17 @@ export type ClassMetrics = Metrics & { models: number };
 export type Confusion = Evaluation['confusion'];
 
 /** The axis of a model's file that points up. */
-export type UpAxis = 'y' | 'z';
+export type UpAxis = Model['up'];
 
 /** That of models of which nobody says it. */
 export const kUsualUp: UpAxis = 'y';
 
-interface Standing {
-    up?: UpAxis;
-}
-
-export type ModelSummary = Model & Standing;
-export type QueryModel = SearchResult['query'] & Standing;
+export type ModelSummary = Model;
+export type QueryModel = SearchResult['query'];
 
 /** At most a few thousand triangles: what the index keeps for drawing. */
 export type PreviewMesh = Mesh;
+export type MeshColours = NonNullable<Mesh['colours']>;
 
 const kRankerOrder: Readonly<Record<Ranker, number>> = { hybrid: 0, skeleton: 1, 'chain-code': 2 };
 

@@ -471,12 +471,20 @@ export interface components {
             branches: number;
             bounds: components["schemas"]["Bounds"];
             surface_area: number;
+            unit: components["schemas"]["Unit"];
+            metres_per_unit: components["schemas"]["MetresPerUnit"];
             /**
-             * @description The axis of the model's coordinates that points up: as a person has said, else as found from its
-             *     shape. Viewers turn `mesh` and `skeleton` by it; the thumbnail is drawn so.
+             * @description The axis of the model's coordinates that points up: as a person has said, else as its file or the
+             *     file's format says, else as found from its shape. Viewers turn `mesh` and `skeleton` by it; the
+             *     thumbnail is drawn so.
              * @enum {string}
              */
-            up: "y" | "z";
+            up: "x" | "y" | "z";
+            /**
+             * @description Who says so.
+             * @enum {string}
+             */
+            up_from: "person" | "file" | "shape";
             /** Format: date-time */
             indexed_at: string;
             warnings: components["schemas"]["Warning"][];
@@ -496,6 +504,26 @@ export interface components {
             /** @description Grows whenever the collection changes. */
             revision: number;
         };
+        /**
+         * @description The unit of length of the file's coordinates, by its own word or its format's: `um`, `mm`, `cm`, `m`,
+         *     `km`, `inch`, `foot`, `yard`, or a length such as `0.3 m`. Null where neither names one, and for models
+         *     that were indexed before it was kept.
+         * @example mm
+         */
+        Unit: string | null;
+        /** @description The length of that unit. */
+        MetresPerUnit: number | null;
+        /** @description The colours of the file; null where it has none. */
+        MeshColours: {
+            /**
+             * @description What they are the colours of: all of it; the vertices, between which they run evenly; the
+             *     triangles; the corners of each triangle, three each.
+             * @enum {string}
+             */
+            of: "model" | "vertices" | "triangles" | "corners";
+            /** @description Red, green and blue of each, sRGB. */
+            values: number[];
+        } | null;
         Mesh: {
             /** @description From where `positions` are counted, in the file's frame: near the middle of the model, so that single precision is enough for the positions of models that lie far from the file's origin. */
             origin: components["schemas"]["Vector"];
@@ -503,6 +531,7 @@ export interface components {
             positions: number[];
             /** @description Three vertex indices each. */
             triangles: number[];
+            colours: components["schemas"]["MeshColours"];
             bounds: components["schemas"]["Bounds"];
         };
         Skeleton: {
@@ -599,6 +628,14 @@ export interface components {
                 name: string;
                 vertices: number;
                 faces: number;
+                unit: components["schemas"]["Unit"];
+                metres_per_unit: components["schemas"]["MetresPerUnit"];
+                /**
+                 * @description The axis that the query's file says points up; with `include=mesh` also one that was found
+                 *     from its shape. Missing where neither is known, and for queries that are indexed models.
+                 * @enum {string}
+                 */
+                up?: "x" | "y" | "z";
                 warnings: components["schemas"]["Warning"][];
                 skeleton: components["schemas"]["Skeleton"];
                 /** @description With `include=mesh` only. */
@@ -914,6 +951,9 @@ export type Bounds = components['schemas']['Bounds'];
 export type Warning = components['schemas']['Warning'];
 export type Model = components['schemas']['Model'];
 export type ModelPage = components['schemas']['ModelPage'];
+export type Unit = components['schemas']['Unit'];
+export type MetresPerUnit = components['schemas']['MetresPerUnit'];
+export type MeshColours = components['schemas']['MeshColours'];
 export type Mesh = components['schemas']['Mesh'];
 export type Skeleton = components['schemas']['Skeleton'];
 export type Segments = components['schemas']['Segments'];
@@ -1161,8 +1201,8 @@ export interface operations {
     changeModel: {
         parameters: {
             query: {
-                /** @description The axis, or `auto` to have it found from the shape. */
-                up: "y" | "z" | "auto";
+                /** @description The axis, or `auto` for what its file says or else its shape suggests. */
+                up: "x" | "y" | "z" | "auto";
             };
             header?: never;
             path: {

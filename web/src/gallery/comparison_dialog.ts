@@ -1,5 +1,5 @@
 import type { Client } from '../api/client';
-import { kUsualUp, type PreviewMesh, type QueryModel, type UpAxis } from '../api/elements';
+import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
@@ -51,7 +51,7 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
             step(nextHref, 'Next hit', '→'),
         ],
         async load(signal) {
-            const [{ comparison }, mesh, skeleton, { up }] = await Promise.all([
+            const [{ comparison }, mesh, skeleton, { up, unit }] = await Promise.all([
                 import('../viewer/comparison'),
                 client.mesh(hit.id, signal),
                 client.skeleton(hit.id, signal),
@@ -63,8 +63,9 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
                     mesh: queryMesh,
                     skeleton: query.skeleton,
                     up: queryUp,
+                    unit: query.unit,
                 },
-                hit: { name: hit.name, mesh, skeleton, up: up ?? kUsualUp },
+                hit: { name: hit.name, mesh, skeleton, up, unit },
                 match: hit.match,
                 note: partsList(hit.parts),
             });

@@ -1,6 +1,6 @@
 import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import { element, replace } from '../page/element';
-import { formatCount } from '../page/format';
+import { formatCount, formatSize } from '../page/format';
 
 export interface QueryPanelOptions {
     /** Null: the skeleton alone. */
@@ -17,23 +17,21 @@ export interface QueryPanel {
     dispose(): void;
 }
 
-function facts(query: QueryModel): HTMLElement {
-    const rows: [string, number][] = [
-        ['Vertices', query.vertices],
-        ['Faces', query.faces],
-        ['Branches', query.skeleton.branches.length],
-        ['Nodes', query.skeleton.nodes.length],
+function facts(query: QueryModel, mesh: PreviewMesh | null): HTMLElement {
+    const rows: [string, string][] = [
+        ['Vertices', formatCount(query.vertices)],
+        ['Faces', formatCount(query.faces)],
+        ['Branches', formatCount(query.skeleton.branches.length)],
+        ['Nodes', formatCount(query.skeleton.nodes.length)],
     ];
+    if (mesh) {
+        rows.push(['Size', formatSize(mesh.bounds, query.unit)]);
+    }
     return element(
         'dl',
         { class: 'facts' },
         rows.map(([name, value]) =>
-            element(
-                'div',
-                {},
-                element('dt', {}, name),
-                element('dd', { class: 'number' }, formatCount(value)),
-            ),
+            element('div', {}, element('dt', {}, name), element('dd', { class: 'number' }, value)),
         ),
     );
 }
@@ -65,7 +63,7 @@ export function queryPanel(): QueryPanel {
             const parts =
                 partsHref !== null &&
                 element('a', { class: 'button', href: partsHref }, 'Parts and pose');
-            replace(text, facts(query), parts, warnings(query));
+            replace(text, facts(query, mesh), parts, warnings(query));
             // three.js is fetched only where something is drawn with it.
             const { queryView } = await import('../viewer/query_view');
             if (disposed) {

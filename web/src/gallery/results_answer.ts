@@ -43,7 +43,7 @@ export async function ask(
             context.client.mesh(query.id, signal),
             context.client.model(query.id, signal),
         ]);
-        return { result, mesh, up: up ?? kUsualUp };
+        return { result, mesh, up };
     }
     const { upload } = context;
     if (!upload) {

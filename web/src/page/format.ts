@@ -17,6 +17,17 @@ export function formatDistance(distance: number): string {
     return distance >= 100 ? distance.toFixed(0) : distance.toFixed(3);
 }
 
+const kSize = new Intl.NumberFormat(kLocale, { maximumSignificantDigits: 4 });
+
+/** Length, width and height of a box along the axes of a file, in its unit if it names one. */
+export function formatSize(
+    { min, max }: { min: readonly number[]; max: readonly number[] },
+    unit: string | null,
+): string {
+    const lengths = max.map((high, axis) => kSize.format(high - (min[axis] ?? 0)));
+    return [lengths.join(' × '), ...(unit === null ? [] : [unit])].join(' ');
+}
+
 export function formatShare(share: number): string {
     return Number.isFinite(share) ? share.toFixed(3) : '–';
 }

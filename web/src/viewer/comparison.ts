@@ -1,6 +1,6 @@
 import type { Match } from '../api/types';
 import { element } from '../page/element';
-import { formatDistance, formatPlural } from '../page/format';
+import { formatDistance, formatPlural, formatSize } from '../page/format';
 import { assignBranchColors, type BranchColors, type ColoredPair } from './branch_colors';
 import { dialogContent } from './dialog_content';
 import { type MatchTable, matchTable } from './match_table';
@@ -86,6 +86,12 @@ class LinkedBranches {
                 element('span', {}, role),
                 ' ',
                 model.name,
+                model.mesh &&
+                    element(
+                        'span',
+                        { class: 'fine' },
+                        ` ${formatSize(model.mesh.bounds, model.unit)}`,
+                    ),
             ),
         );
         const side: Side = { ...options, pane, label, figure };

@@ -14,6 +14,7 @@ import { mergeVertices, toCreasedNormals } from 'three/examples/jsm/utils/Buffer
 import type { PreviewMesh, SkeletonNode } from '../api/elements';
 import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
+import { fileColors } from './file_colors';
 import { type Frame, frameModel, toUnit, unitPositions } from './frame';
 import { surfaceMaterial } from './surface_material';
 import type { ViewerTheme } from './theme';
@@ -51,7 +52,12 @@ function creasedSurface(mesh: PreviewMesh, frame: Frame): BufferGeometry {
     soup.setAttribute('position', new BufferAttribute(unitPositions(frame, mesh), 3));
     soup.setIndex(mesh.triangles);
     const welded = mergeVertices(soup, kWeldTolerance);
+    // Three vertices a triangle, in the triangles' order.
     const creased = toCreasedNormals(welded, kCreaseAngle);
+    const colors = fileColors(mesh);
+    if (colors) {
+        creased.setAttribute('color', colors);
+    }
     soup.dispose();
     welded.dispose();
     return creased;
@@ -74,9 +80,13 @@ export class ModelScene {
     private readonly input_: ModelSceneInput;
     private readonly frame_: Frame;
     private highlighted_: number | null = null;
+    private colored_: boolean;
+    private theme_: ViewerTheme;
 
     constructor(input: ModelSceneInput, theme: ViewerTheme) {
         this.input_ = input;
+        this.theme_ = theme;
+        this.colored_ = this.hasColors;
         this.frame_ = frameModel(input.mesh, input.skeleton);
         this.addSurface(theme);
         this.addBranches(theme);
@@ -97,6 +107,17 @@ export class ModelScene {
         this.nodes_.visible = visible;
     }
 
+    /** Whether the model's file gives it colours. */
+    get hasColors(): boolean {
+        return this.input_.mesh?.colours != null;
+    }
+
+    /** Whether the surface is shown in them; from the start where there are any. */
+    set colored(colored: boolean) {
+        this.colored_ = colored && this.hasColors;
+        this.paintSurface();
+    }
+
     /** Thickens one branch and lets the others step back; null ends it. */
     highlight(branch: number | null): void {
         this.highlighted_ = branch !== null && this.tubes_.has(branch) ? branch : null;
@@ -112,12 +133,8 @@ export class ModelScene {
     }
 
     applyTheme(theme: ViewerTheme): void {
-        this.surface_.traverse((object) => {
-            if (object instanceof Mesh && object.userData.glass === true) {
-                object.material.dispose();
-                object.material = surfaceMaterial(theme.surface);
-            }
-        });
+        this.theme_ = theme;
+        this.paintSurface();
         for (const [id, tube] of this.tubes_) {
             this.paint(tube.solid.material, this.input_.branchColors.get(id) ?? theme.unmatched);
         }
@@ -131,6 +148,15 @@ export class ModelScene {
     dispose(): void {
         disposeBelow(this.root);
         this.tubes_.clear();
+    }
+
+    private paintSurface(): void {
+        this.surface_.traverse((object) => {
+            if (object instanceof Mesh && object.userData.glass === true) {
+                object.material.dispose();
+                object.material = surfaceMaterial(this.theme_.surface, this.colored_);
+            }
+        });
     }
 
     private paint(material: MeshStandardMaterial, color: string): void {
@@ -157,7 +183,7 @@ export class ModelScene {
             new MeshBasicMaterial({ colorWrite: false, side: DoubleSide, transparent: true }),
         );
         depth.renderOrder = 1;
-        const glass = new Mesh(geometry, surfaceMaterial(theme.surface));
+        const glass = new Mesh(geometry, surfaceMaterial(theme.surface, this.colored_));
         glass.renderOrder = 2;
         glass.userData.glass = true;
         this.surface_.add(depth, glass);

@@ -6,6 +6,7 @@ import type { OrbitSource } from './orbit_input';
 import { nearestLine, type ScreenLine, type ScreenPoint } from './pick';
 import { Picture } from './picture';
 import { onThemeChange, readViewerTheme } from './theme';
+import { toggle } from './toggle';
 
 export interface PaneOptions extends ModelSceneInput {
     /** What a screen reader calls the picture. */
@@ -35,6 +36,9 @@ export class Pane {
         });
         this.model_ = new ModelScene(options, readViewerTheme());
         this.picture_.stand.add(this.model_.root);
+        if (this.model_.hasColors) {
+            this.picture_.node.append(this.colorControl());
+        }
         this.listen();
     }
 
@@ -68,6 +72,15 @@ export class Pane {
         }
         this.model_.dispose();
         this.picture_.dispose();
+    }
+
+    private colorControl(): HTMLElement {
+        const control = toggle('Colours of the file', true, (colored) => {
+            this.model_.colored = colored;
+            this.picture_.requestDraw();
+        });
+        control.classList.add('color-control');
+        return control;
     }
 
     private listen(): void {

@@ -24,10 +24,12 @@ export interface ViewedModel {
     mesh: PreviewMesh | null;
     skeleton: Skeleton;
     up: UpAxis;
+    /** Of its lengths; null: its file names none. */
+    unit: string | null;
 }
 
 /** One model alone, its skeleton in the page's accent colour. */
-export function queryView({ name, mesh, skeleton, up }: ViewedModel): View {
+export function queryView({ name, mesh, skeleton, up }: Omit<ViewedModel, 'unit'>): View {
     if (!hasWebGl()) {
         return { node: noWebGlNotice(), dispose: () => {} };
     }

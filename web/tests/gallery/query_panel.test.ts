@@ -18,6 +18,14 @@ it('shows figures and notes, and says plainly where there is no WebGL', async ()
     panel.dispose();
 });
 
+it('says how large the query is, in the unit of its file', async () => {
+    const panel = queryPanel();
+    const query = { ...searchResult().query, unit: 'mm' };
+    await panel.show(query, { mesh: kMesh, up: 'y', partsHref: null });
+    expect(panel.node.textContent).toContain('3 × 1 × 1 mm');
+    panel.dispose();
+});
+
 it('shows nothing any more after it was taken down', async () => {
     const panel = queryPanel();
     const shown = panel.show(searchResult().query, { mesh: kMesh, up: 'y', partsHref: null });

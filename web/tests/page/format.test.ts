@@ -9,6 +9,7 @@ import {
     formatName,
     formatPlural,
     formatShare,
+    formatSize,
 } from '../../src/page/format';
 
 describe('formats', () => {
@@ -22,6 +23,12 @@ describe('formats', () => {
     it('keep neighbours of a ranked list apart', () => {
         expect(formatDistance(0.123)).not.toBe(formatDistance(0.124));
         expect(formatDistance(0)).toBe('0.000');
+    });
+
+    it('give a box its three lengths in the unit of its file, if it names one', () => {
+        const box = { min: [-1, 0, 2], max: [1, 1234.567, 2.0001234] };
+        expect(formatSize(box, 'mm')).toBe('2 × 1,235 × 0.0001234 mm');
+        expect(formatSize(box, null)).toBe('2 × 1,235 × 0.0001234');
     });
 
     it('show a dash for what is no number', () => {

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { comparison } from '../../src/viewer/comparison';
 import { hit, kMesh, kSkeleton } from '../sample';
 
-const kSide = { name: 'elephant', mesh: kMesh, skeleton: kSkeleton, up: 'y' } as const;
+const kSide = { name: 'elephant', mesh: kMesh, skeleton: kSkeleton, up: 'y', unit: null } as const;
 
 it('works without WebGL: a plain message in the place of the pictures, and the tables', () => {
     const { match } = hit(1);

@@ -1,4 +1,11 @@
-import { Box3, Group, Mesh, type MeshStandardMaterial, type Object3D } from 'three';
+import {
+    Box3,
+    Group,
+    Mesh,
+    type MeshStandardMaterial,
+    type Object3D,
+    type ShaderMaterial,
+} from 'three';
 import { describe, expect, it, vi } from 'vitest';
 
 import type { Vector } from '../../src/api/types';
@@ -125,6 +132,34 @@ describe('ModelScene', () => {
         for (const tube of model.root.children.slice(0, 2) as Mesh[]) {
             expect((tube.material as MeshStandardMaterial).opacity).toBe(1);
         }
+    });
+
+    it('shows the colours of the file, and its own where these are not wanted', () => {
+        const colours = { of: 'triangles' as const, values: [255, 0, 0, ...Array(9).fill(0)] };
+        const model = scene([], { ...kMesh, colours });
+        const glass = meshes(model.root).find((mesh) => mesh.userData.glass === true);
+        const material = () => glass?.material as ShaderMaterial;
+        const color = glass?.geometry.getAttribute('color');
+        expect(model.hasColors).toBe(true);
+        expect([...(color?.array.slice(0, 12) ?? [])]).toEqual([
+            1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0,
+        ]);
+        expect(material().vertexColors).toBe(true);
+        const opaque = material().uniforms.body_opacity?.value;
+        model.colored = false;
+        expect(material().vertexColors).toBe(false);
+        expect(material().uniforms.body_opacity?.value).toBeLessThan(opaque);
+        model.applyTheme(readViewerTheme());
+        expect(material().vertexColors).toBe(false);
+    });
+
+    it('has no colours to show where the file has none', () => {
+        const model = scene();
+        model.colored = true;
+        const glass = meshes(model.root).find((mesh) => mesh.userData.glass === true);
+        expect(model.hasColors).toBe(false);
+        expect(glass?.geometry.hasAttribute('color')).toBe(false);
+        expect((glass?.material as ShaderMaterial).vertexColors).toBe(false);
     });
 
     it('stands without a mesh', () => {

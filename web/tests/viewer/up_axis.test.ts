@@ -4,7 +4,7 @@ import { expect, it, vi } from 'vitest';
 import { Stand, upControl } from '../../src/viewer/up_axis';
 
 /** Where a point of a model is shown that stands with `up` upwards. */
-function shown(up: 'y' | 'z', point: Vector3): Vector3 {
+function shown(up: 'x' | 'y' | 'z', point: Vector3): Vector3 {
     const stand = new Stand();
     const model = new Object3D();
     stand.add(model);
@@ -16,10 +16,20 @@ it('stands models upright, by a turn that is no mirror', () => {
     const up = new Vector3(0, 1, 0);
     expect(shown('y', up)).toEqual(up);
     expect(shown('z', new Vector3(0, 0, 1)).distanceTo(up)).toBeLessThan(1e-12);
-    const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(
-        (axis) => shown('z', axis),
-    );
-    expect(x?.cross(y as Vector3).distanceTo(z as Vector3)).toBeLessThan(1e-12);
+    expect(shown('x', new Vector3(1, 0, 0)).distanceTo(up)).toBeLessThan(1e-12);
+    for (const axis of ['x', 'z'] as const) {
+        const [x, y, z] = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)].map(
+            (direction) => shown(axis, direction),
+        );
+        expect(x?.cross(y as Vector3).distanceTo(z as Vector3)).toBeLessThan(1e-12);
+    }
+});
+
+it('offers x where a file says so, and not otherwise', () => {
+    const offered = (up: 'x' | 'y') =>
+        [...upControl(up, vi.fn()).querySelectorAll('button')].map((button) => button.value);
+    expect(offered('x')).toEqual(['x', 'y', 'z']);
+    expect(offered('y')).toEqual(['y', 'z']);
 });
 
 it('goes back to where it was', () => {
