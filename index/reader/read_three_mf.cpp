@@ -6,8 +6,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,7 +25,6 @@ using three_mf::made_by;
 using Matrix4 = Eigen::Matrix4d;
 
 using Handle = NMR::PLib3MFBase;
-using Colours = std::vector<std::optional<mesh::CornerColours>>;
 
 Error invalid(const std::string& found) {
     return {ErrorCode::kThreeMfInvalid, "expected a 3MF package, found " + found};
@@ -75,10 +72,9 @@ private:
     Result<void> add_components(Handle* object, const Matrix4& matrix, int depth);
     Result<void> add_mesh(Handle* object, const Matrix4& matrix);
     Result<void> add_beams(Handle* object, const Matrix4& matrix);
-    /// @param colours  of each triangle, or none
     Result<void> add_placed(std::span<const Vec3> vertices,
                             std::span<const mesh::TriangleMesh::Triangle> triangles,
-                            const Colours& colours, const Matrix4& matrix);
+                            const ThreeMfColours& colours, const Matrix4& matrix);
 
     const mesh::ReadMeshOptions& caps_;
     SceneBuilder scene_;
@@ -142,7 +138,7 @@ Result<void> ThreeMfReader::hear_warnings(Handle* reader) {
 
 Result<void> ThreeMfReader::add_placed(std::span<const Vec3> vertices,
                                        std::span<const mesh::TriangleMesh::Triangle> triangles,
-                                       const Colours& colours, const Matrix4& matrix) {
+                                       const ThreeMfColours& colours, const Matrix4& matrix) {
     numbers_.clear();
     for (const Vec3& vertex : vertices) {
         const Vec3 placed = matrix.topLeftCorner<3, 3>() * vertex + matrix.topRightCorner<3, 1>();
@@ -193,10 +189,8 @@ Result<void> ThreeMfReader::add_mesh(Handle* object, const Matrix4& matrix) {
         for (const NMR::MODELMESHTRIANGLE& face : faces) {
             corners.push_back({face.m_nIndices[0], face.m_nIndices[1], face.m_nIndices[2]});
         }
-        if (auto added = add_placed(vertices_, corners,
-                                    three_mf_colours(model_.get(), object, triangles), matrix);
-            !added)
-            return added;
+        const ThreeMfColours colours = three_mf_colours(model_.get(), object, triangles);
+        if (auto added = add_placed(vertices_, corners, colours, matrix); !added) return added;
     }
     return add_beams(object, matrix);
 }

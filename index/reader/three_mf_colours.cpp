@@ -97,14 +97,13 @@ std::optional<CornerColours> triangle_colours(NMR::PLib3MFBase* handler, DWORD t
 
 }  // namespace
 
-std::vector<std::optional<CornerColours>> three_mf_colours(NMR::PLib3MFBase* model,
-                                                           NMR::PLib3MFBase* object,
-                                                           std::uint32_t triangles) {
+ThreeMfColours three_mf_colours(NMR::PLib3MFBase* model, NMR::PLib3MFBase* object,
+                                std::uint32_t triangles) {
     BaseMaterials materials(model);
     const auto whole = object_colours(object, materials);
     const Instance handler = made_by(
         [&](auto** made) { return NMR::lib3mf_meshobject_createpropertyhandler(object, made); });
-    std::vector<std::optional<CornerColours>> colours(triangles, whole);
+    ThreeMfColours colours(triangles, whole);
     bool any = whole.has_value();
     for (DWORD t = 0; handler && t < triangles; ++t) {
         const auto own = triangle_colours(handler.get(), t, materials);

@@ -9,12 +9,14 @@
 
 namespace ossuary::index {
 
+/// Of each triangle of a mesh, where it has any; empty where no triangle has.
+using ThreeMfColours = std::vector<std::optional<mesh::CornerColours>>;
+
 /// The colours of the triangles of a mesh in a 3MF package: of base materials, which colour a
 /// triangle, and of colour groups, which colour its corners; where a triangle has none, its
 /// object's. Textures and mixtures give none.
 /// @param object  a mesh object of `model`
-/// @return  of each triangle, or none where no triangle has one
-[[nodiscard]] std::vector<std::optional<mesh::CornerColours>> three_mf_colours(
-    NMR::PLib3MFBase* model, NMR::PLib3MFBase* object, std::uint32_t triangles);
+[[nodiscard]] ThreeMfColours three_mf_colours(NMR::PLib3MFBase* model, NMR::PLib3MFBase* object,
+                                              std::uint32_t triangles);
 
 }  // namespace ossuary::index

@@ -222,7 +222,7 @@ TEST_F(Application, TurnsModels) {
     EXPECT_EQ(server.json(get("/v1/models/5"))["up"], before);
 
     EXPECT_EQ(server.code(patch("/v1/models/5", bearer(kKey)), 400), "parameter_missing");
-    EXPECT_EQ(server.code(patch("/v1/models/5?up=x", bearer(kKey)), 400), "parameter_invalid");
+    EXPECT_EQ(server.code(patch("/v1/models/5?up=w", bearer(kKey)), 400), "parameter_invalid");
     EXPECT_EQ(server.code(patch("/v1/models/99?up=z", bearer(kKey)), 404), "model_not_found");
     EXPECT_EQ(server.code(patch("/v1/models/5?up=z", ""), 401), "admin_key_missing");
 }

@@ -123,11 +123,18 @@ void expect_read(const Result<mesh::ReadMeshResult>& read, const ModelCase& expe
     EXPECT_EQ(read->mesh.face_count, expected.faces);
     EXPECT_EQ(read->mesh.triangles.size(), expected.triangles);
     EXPECT_EQ(counted(read->warnings), expected.warnings);
+    if (expected.area) {
+        EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *expected.area, 1e-6);
+    }
     if (expected.colours) {
         EXPECT_EQ(colours_text(read->mesh), *expected.colours);
     }
-    if (expected.area) {
-        EXPECT_NEAR(mesh::measure(read->mesh).surface_area, *expected.area, 1e-6);
+    if (expected.metres_per_unit) {
+        EXPECT_NEAR(read->metres_per_unit, *expected.metres_per_unit, 1e-9);
+    }
+    if (expected.up) {
+        ASSERT_TRUE(read->up);
+        EXPECT_EQ("xyz"[static_cast<int>(*read->up)], *expected.up);
     }
     expect_whole(read->mesh);
 }

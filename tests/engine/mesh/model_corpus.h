@@ -47,6 +47,7 @@ std::vector<ModelCase> model_cases(const std::string& format, const std::string&
 /// Those of each format.
 std::vector<FormatCase> format_cases(const std::vector<std::string>& formats,
                                      const std::string& folder);
+
 /// The colours of a mesh: of each triangle `rrggbb`, or `rrggbb/rrggbb/rrggbb` where its corners
 /// differ; `none`.
 std::string colours_text(const mesh::TriangleMesh& mesh);

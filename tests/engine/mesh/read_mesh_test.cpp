@@ -89,7 +89,7 @@ TEST_F(ReadMesh, PicksModelFilesByExtensionInAnyCase) {
         EXPECT_TRUE(mesh::is_model_file(name)) << name;
     }
     for (const char* name :
-         {"a.step", "off", ".off", "a.tar.gz", "a.gz", "a.offx", "a.expect", "a", ""}) {
+         {"a.blend", "off", ".off", "a.tar.gz", "a.gz", "a.offx", "a.expect", "a", ""}) {
         EXPECT_FALSE(mesh::is_model_file(name)) << name;
     }
 }

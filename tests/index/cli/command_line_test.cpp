@@ -380,8 +380,10 @@ TEST_F(CommandLineTest, UpTurnsModelsAndSaysSo) {
     EXPECT_EQ(axis_of(second), "z");
     EXPECT_THAT(run({"up", "--index", index_file(), first, "y"}).out, HasSubstr("y up"));
     EXPECT_EQ(axis_of(first), "y");
+    EXPECT_EQ(run({"up", "--index", index_file(), first, "x"}).exit_status, 0);
+    EXPECT_EQ(axis_of(first), "x");
     EXPECT_EQ(run({"up", "--index", index_file(), first, "auto"}).exit_status, 0);
-    EXPECT_EQ(run({"up", "--index", index_file(), first, "x"}).exit_status, 2);
+    EXPECT_EQ(run({"up", "--index", index_file(), first, "w"}).exit_status, 2);
     EXPECT_EQ(run({"up", "--index", index_file(), first}).exit_status, 2);
     EXPECT_EQ(run({"up", "--index", index_file(), "no-such-model", "z"}).exit_status, 1);
     EXPECT_EQ(run({"verify", "--index", index_file()}).exit_status, 0);
@@ -392,7 +394,7 @@ TEST_F(CommandLineTest, UpTurnsModelsAndSaysSo) {
     EXPECT_EQ(all.json().at("unchanged"), kModels);
     EXPECT_GE(all.json().at("turned").get<int>(), kModels - 1);
     EXPECT_EQ(axis_of(first), "z");
-    EXPECT_EQ(run({"index", "--index", index_file(), "--up", "x", models()}).exit_status, 2);
+    EXPECT_EQ(run({"index", "--index", index_file(), "--up", "w", models()}).exit_status, 2);
 }
 
 TEST_F(CommandLineTest, ExportPrintsOneJsonDocumentALine) {
