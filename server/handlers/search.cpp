@@ -2,10 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/stopwatch.h"
-#include "engine/mesh/decimate.h"
-#include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
-#include "index/describe_model.h"
 #include "index/presentation.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
@@ -29,11 +26,6 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     return parameters;
 }
 
-nlohmann::json preview_of(const mesh::TriangleMesh& mesh, const std::stop_token& stop) {
-    const mesh::TriangleMesh coarse = mesh::decimate(mesh, {}, stop);
-    return index::to_json(index::make_preview(coarse), mesh::measure(mesh).bounds);
-}
-
 }  // namespace
 
 std::optional<Problem> check_search(const Service&, const RequestHead& head) {
@@ -51,23 +43,27 @@ Checked<Response> search(Service& service, const Request& request) {
     Stopwatch watch;
     mesh::ReadMeshOptions caps;
     caps.max_bytes = service.options.http.max_body;
-    const auto query = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
+    auto query = service.reader.read({upload->bytes, upload->name, {}}, caps, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
-    auto result = service.searcher.search(query->mesh, parameters.options, request.stop);
+    auto described = service.searcher.describe(query->mesh, request.stop);
+    if (!described) return fail(described.error());
+    auto result = service.searcher.nearest(*described, parameters.options, request.stop);
     if (!result) return fail(result.error());
-
-    result->took_ms += read_ms;
-    result->stages_ms.insert(result->stages_ms.begin(), {"read", read_ms});
-    // What the file itself is odd about comes before what the stages found.
-    result->warnings.insert(result->warnings.begin(), query->warnings.begin(),
-                            query->warnings.end());
+    StageTimes stages = {{"read", read_ms}};
+    stages.insert(stages.end(), described->stages_ms.begin(), described->stages_ms.end());
+    result->stages_ms.insert(result->stages_ms.begin(), stages.begin(), stages.end());
+    result->took_ms = read_ms + watch.lap_ms();
     service.metrics.search(result->stages_ms);
-    auto json =
-        index::to_json(*result, {upload->name, query->mesh.vertices.size(), query->mesh.face_count},
-                       parameters.options.rank);
+
+    const auto model = std::make_shared<index::QueryModel>(
+        upload->name, std::move(query->mesh), std::move(query->warnings), *std::move(described));
+    const std::string token = service.queries.keep(model);
+    auto json = query_search_json(service, *result, *model, token, parameters.options.rank);
     if (parameters.with_mesh) {
-        json["query"]["mesh"] = preview_of(result->query_body.of(query->mesh), request.stop);
+        const auto preview = model->preview(request.stop);
+        if (!preview) return fail(preview.error());
+        json["query"]["mesh"] = index::to_json(*preview, model->bounds());
     }
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
