@@ -119,7 +119,7 @@ std::string file_kind(std::string_view path) {
     // What follows a `#` is a member of an archive, with an ending, or an object, without.
     const std::size_t inside = path.rfind('#');
     if (inside != std::string_view::npos) {
-        if (const std::string kind = file_kind(path.substr(inside + 1)); !kind.empty()) return kind;
+        if (std::string kind = file_kind(path.substr(inside + 1)); !kind.empty()) return kind;
         path = path.substr(0, inside);
     }
     const std::size_t slash = path.rfind('/');

@@ -119,6 +119,10 @@ describe('a search by upload', () => {
         const query = await pictureOf(page.locator('.query-picture canvas'));
         expect((await looksOf(query, page)).drawn).toBeGreaterThan(0.02);
 
+        const saved = page.waitForEvent('download');
+        await page.getByRole('button', { name: 'Save as CSV' }).click();
+        expect((await saved).suggestedFilename()).toBe('like-query.csv');
+
         await page.locator('.hit-card a').first().click();
         await page.waitForURL('**/#/q/*/hits/*');
         const canvases = page.locator('dialog .pane-canvas');

@@ -8,6 +8,7 @@ import { hitGrid } from './hit_grid';
 import { OverHits } from './over_hits';
 import { QuerySide } from './query_side';
 import { ask, hrefOf, likeHit, type ResultsRoute, sameParameters } from './results_answer';
+import { saveResults } from './save_results';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
 
@@ -121,7 +122,11 @@ class ResultsPage implements Page {
         this.answer_ = answer;
         const { query, hits } = answer.result;
         replace(this.head_, 'Models like ', element('em', {}, query.name));
-        replace(this.timing_, timingLine(answer.result));
+        replace(
+            this.timing_,
+            timingLine(answer.result),
+            hits.length > 0 && saveResults(answer.result),
+        );
         replace(
             this.body_,
             hits.length > 0
