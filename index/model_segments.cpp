@@ -38,6 +38,16 @@ std::vector<std::int32_t> branches_of_parts(const mesh::TriangleMesh& mesh,
                                             mesh::triangle_areas(mesh));
 }
 
+Result<std::string> rig_of(const mesh::TriangleMesh& mesh, const decomposition::Segmentation& parts,
+                           const skeleton::SkeletonGraph& skeleton, std::string_view name,
+                           const std::stop_token& stop) {
+    const mesh::TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
+    const decomposition::Rig rig =
+        decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
+    if (stop.stop_requested()) return {ErrorCode::kCancelled, "making the rig was given up"};
+    return to_glb(welded, parts, rig, name);
+}
+
 }  // namespace
 
 Result<ModelSegments> segment_model(const mesh::TriangleMesh& mesh,
@@ -64,13 +74,15 @@ Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& s
     if (segments.labels.size() != mesh.triangles.size()) {
         return {ErrorCode::kIndexCorrupt, "labels and triangles of the preview differ in number"};
     }
-    const mesh::TriangleMesh welded = weld(mesh, {.drop_collapsed = false}).mesh;
     const decomposition::Segmentation parts{segments.labels,
                                             static_cast<std::uint32_t>(segments.parts.size())};
-    const decomposition::Rig rig =
-        decomposition::make_rig(welded, skeleton, decomposition::kRigSmoothing, stop);
-    if (stop.stop_requested()) return {ErrorCode::kCancelled, "making the rig was given up"};
-    return to_glb(welded, parts, rig, name);
+    return rig_of(mesh, parts, skeleton, name, stop);
+}
+
+Result<std::string> mesh_rig(const mesh::TriangleMesh& mesh,
+                             const decomposition::Decomposition& decomposition,
+                             std::string_view name, const std::stop_token& stop) {
+    return rig_of(mesh, decomposition.segmentation, decomposition.skeleton, name, stop);
 }
 
 nlohmann::json to_json(const ModelSegments& segments) {

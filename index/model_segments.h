@@ -30,6 +30,13 @@ Result<std::string> model_rig(const PreviewMesh& preview, const ModelSegments& s
                               const skeleton::SkeletonGraph& skeleton, std::string_view name,
                               const std::stop_token& stop = {});
 
+/// A mesh with its parts as a rigged glTF file at its own resolution.
+/// @param decomposition  of `mesh`
+/// Errors: cancelled.
+Result<std::string> mesh_rig(const mesh::TriangleMesh& mesh,
+                             const decomposition::Decomposition& decomposition,
+                             std::string_view name, const std::stop_token& stop = {});
+
 /// {parts: [{part, colour, triangles, area, area_share, branch, neighbors}], labels}
 [[nodiscard]] nlohmann::json to_json(const ModelSegments& segments);
 

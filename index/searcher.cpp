@@ -1,6 +1,7 @@
 #include "index/searcher.h"
 
 #include <algorithm>
+#include <set>
 
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
@@ -32,6 +33,10 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
     // the class that is looked for: they are judged by the whole collection.
     ranking::NearestOptions nearest;
     nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
+    // Each copy may take a place that another model is to have; in collections that are mostly
+    // copies the list may then end early.
+    constexpr std::size_t kMostCopies = 1000;
+    if (options.fold_copies) nearest.count += std::min(snapshot.redundant(), kMostCopies);
     std::vector<std::uint32_t> of_class;
     if (!options.class_filter.empty()) {
         for (std::uint32_t i = 0; i < snapshot.size(); ++i) {
@@ -44,9 +49,11 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
                                 snapshot.statistics(), options.rank, nearest);
     if (!models) return models.error();
     std::vector<ranking::RankedModel> hits;
+    std::set<std::size_t> seen;
     for (const ranking::RankedModel& found : *models) {
         const ModelSummary& model = snapshot.models()[found.index];
         if (model.id == left_out) continue;
+        if (options.fold_copies && !seen.insert(snapshot.copies(found.index)).second) continue;
         hits.push_back(found);
         if (hits.size() == options.limit) break;
     }
@@ -66,6 +73,10 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
         hit.id = model.id;
         hit.name = model.name;
         hit.class_name = model.class_name;
+        hit.path = model.path;
+        hit.faces = model.faces;
+        hit.extent = model.bounds.sizes();
+        hit.copies = snapshot.copy_count(snapshot.copies(found.index)) - 1;
         hit.distance = found.distance;
         result.hits.push_back(std::move(hit));
     }
@@ -167,28 +178,52 @@ Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
     return loaded;
 }
 
-Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const SearchOptions& options,
-                                      std::stop_token stop) {
+Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::stop_token stop) {
+    auto description =
+        descriptor::describe(query, describe_options(impl_->store.parameters()), std::move(stop));
+    if (!description) return description.error();
+    DescribedQuery described;
+    described.skeleton =
+        with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
+    described.descriptor = std::move(description->descriptor);
+    described.body = std::move(description->body);
+    described.warnings = std::move(description->warnings);
+    described.stages_ms = std::move(description->stage_times);
+    return described;
+}
+
+Result<SearchResult> Searcher::nearest(const DescribedQuery& query, const SearchOptions& options,
+                                       std::stop_token stop) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
     const Stopwatch total;
     const auto loaded = snapshot();
     if (!loaded) return loaded.error();
-    auto description =
-        descriptor::describe(query, describe_options(impl_->store.parameters()), stop);
-    if (!description) return description.error();
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
     SearchResult result;
-    result.stages_ms = std::move(description->stage_times);
-    result.warnings = std::move(description->warnings);
-    if (const auto found = find_hits(**loaded, description->descriptor, search, 0, result);
-        !found) {
+    if (const auto found = find_hits(**loaded, query.descriptor, search, 0, result); !found) {
         return found.error();
     }
-    result.query_skeleton =
-        with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
-    result.query_body = std::move(description->body);
     result.took_ms = total.elapsed_ms();
+    return result;
+}
+
+Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const SearchOptions& options,
+                                      std::stop_token stop) {
+    if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
+    const Stopwatch total;
+    // Loaded before the query is described: a damaged index is told at once.
+    if (const auto loaded = snapshot(); !loaded) return loaded.error();
+    auto described = describe(query, stop);
+    if (!described) return described.error();
+    auto result = nearest(*described, options, std::move(stop));
+    if (!result) return result.error();
+    result->stages_ms.insert(result->stages_ms.begin(), described->stages_ms.begin(),
+                             described->stages_ms.end());
+    result->query_skeleton = std::move(described->skeleton);
+    result->query_body = std::move(described->body);
+    result->warnings = std::move(described->warnings);
+    result->took_ms = total.elapsed_ms();
     return result;
 }
 
@@ -247,8 +282,7 @@ Result<Searcher::Consistent> Searcher::consistent(const std::vector<ModelId>& id
         for (const ModelId id : ids) {
             const auto position = found.snapshot->find(id);
             if (!position) {
-                return {ErrorCode::kModelNotFound,
-                        impl_->store.path().string() + ": no model with id " + std::to_string(id)};
+                return {ErrorCode::kModelNotFound, "there is no model " + std::to_string(id)};
             }
             auto skeleton = impl_->store.skeleton(id);
             if (!skeleton && attempt >= 3) return skeleton.error();

@@ -10,6 +10,7 @@
 
 #include "engine/core/result.h"
 #include "engine/core/stopwatch.h"
+#include "engine/descriptor/model_descriptor.h"
 #include "engine/matching/match.h"
 #include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
@@ -25,6 +26,7 @@ struct SearchOptions {
     std::size_t limit = 10;    ///< hits returned; 0 = all
     std::string class_filter;  ///< only hits of this class; empty = all
     bool with_match = true;    ///< parts and correspondences of the returned hits
+    bool fold_copies = false;  ///< of models that are copies of each other, the nearest alone
 };
 
 struct Hit {
@@ -32,6 +34,10 @@ struct Hit {
     ModelId id = 0;
     std::string name;
     std::string class_name;
+    std::string path;         ///< absolute; empty for a model that was uploaded
+    std::uint32_t faces = 0;  ///< polygons in the file
+    Vec3 extent;              ///< of its bounds, model units
+    std::size_t copies = 0;   ///< how many models of the collection are copies of it (Snapshot)
     double distance = 0.0;
     std::vector<matching::DistancePart> parts;
     std::size_t matched_nodes = 0;
@@ -48,6 +54,15 @@ struct SearchResult {
     std::vector<Hit> hits;   ///< nearest first; equal distances in the order of ids
     std::size_t models = 0;  ///< compared with
     Revision revision = 0;
+};
+
+/// A mesh as it is looked for, described once however often it is ranked. Model units.
+struct DescribedQuery {
+    descriptor::ModelDescriptor descriptor;
+    StoredSkeleton skeleton;
+    mesh::Body body;  ///< what of the mesh was described
+    std::vector<mesh::MeshWarning> warnings;
+    StageTimes stages_ms;  ///< of describing it
 };
 
 /// One side of a comparison.
@@ -84,7 +99,13 @@ public:
     /// For whatever is not in the snapshot: pages, previews, thumbnails.
     [[nodiscard]] Store& store();
 
-    /// Errors: those of describe, cancelled.
+    /// As the models of the index were described. Errors: those of descriptor::describe.
+    Result<DescribedQuery> describe(const mesh::TriangleMesh& query, std::stop_token stop = {});
+    /// The models nearest to a query; its warnings, skeleton and body are left out of the result.
+    /// Errors: cancelled.
+    Result<SearchResult> nearest(const DescribedQuery& query, const SearchOptions& options = {},
+                                 std::stop_token stop = {});
+    /// Both at once. Errors: those of describe, cancelled.
     Result<SearchResult> search(const mesh::TriangleMesh& query, const SearchOptions& options = {},
                                 std::stop_token stop = {});
     /// The models nearest to an indexed one, itself left out. Errors: model_not_found, cancelled.

@@ -1,6 +1,11 @@
 #include "index/snapshot.h"
 
 #include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "index/catalogue.h"
 
 namespace ossuary::index {
 
@@ -28,7 +33,37 @@ Result<std::shared_ptr<const Snapshot>> Snapshot::load(Store& store, const Snaps
     }
     snapshot->preselection_ = ranking::Preselection(snapshot->descriptors());
     if (contents->statistics) snapshot->statistics_ = std::move(contents->statistics->statistics);
+    snapshot->roots_ = ModelRoots(snapshot->models_);
+    snapshot->number_copies();
     return std::shared_ptr<const Snapshot>(std::move(snapshot));
+}
+
+const std::vector<std::size_t>& Snapshot::by_name() const {
+    std::call_once(named_, [this] {
+        by_name_.resize(models_.size());
+        std::iota(by_name_.begin(), by_name_.end(), std::size_t{0});
+        std::stable_sort(by_name_.begin(), by_name_.end(), [this](std::size_t a, std::size_t b) {
+            return natural_less(models_[a].name, models_[b].name);
+        });
+    });
+    return by_name_;
+}
+
+void Snapshot::number_copies() {
+    // The bytes of a file say less: the same mesh may be saved under another header.
+    const auto measures = [](const ModelSummary& model) {
+        const Vec3& low = model.bounds.min();
+        const Vec3& high = model.bounds.max();
+        return std::tuple(model.vertices, model.faces, model.surface_area, low.x(), low.y(),
+                          low.z(), high.x(), high.y(), high.z());
+    };
+    std::map<decltype(measures(ModelSummary{})), std::size_t> numbers;
+    for (const ModelSummary& model : models_) {
+        const auto number = numbers.try_emplace(measures(model), numbers.size()).first->second;
+        if (number == copy_counts_.size()) copy_counts_.push_back(0);
+        ++copy_counts_[number];
+        copies_.push_back(number);
+    }
 }
 
 std::optional<std::size_t> Snapshot::find(ModelId id) const {

@@ -68,8 +68,7 @@ struct Store::Impl {
                 path.string() + ": was removed or replaced while it was being worked on"};
     }
     Error no_model(ModelId id) const {
-        return {ErrorCode::kModelNotFound,
-                path.string() + ": no model with id " + std::to_string(id)};
+        return {ErrorCode::kModelNotFound, "there is no model " + std::to_string(id)};
     }
     /// Puts the place into the message of a decoder.
     Error damaged(ModelId id, const Error& error) const {

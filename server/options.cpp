@@ -35,6 +35,14 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
     app.add_option("--max-upload-bytes", options.http.max_body, "largest upload taken")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
         ->capture_default_str();
+    app.add_option("--kept-queries-bytes", options.kept_queries_bytes,
+                   "memory for uploads that were searched with, until a quarter of an hour after "
+                   "they were last asked for; 0 = none is kept")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 36))
+        ->capture_default_str();
+    app.add_flag("--serve-files", options.serve_files,
+                 "let everybody who reaches the server have the indexed files themselves, and what "
+                 "is made from them at full resolution");
     app.add_option("--max-evaluation-models", options.evaluation_models,
                    "larger collections are not evaluated on request")
         ->capture_default_str();

@@ -20,8 +20,10 @@ struct ServerOptions {
     std::vector<std::string> allowed_hosts;  ///< besides the loopback names
     std::filesystem::path admin_key_file;
     HttpOptions http;
-    std::size_t searches = 0;                 ///< at once; 0 = one for each hardware thread
-    std::size_t searches_waiting = 32;        ///< more are turned away
+    std::size_t searches = 0;                    ///< at once; 0 = one for each hardware thread
+    std::size_t searches_waiting = 32;           ///< more are turned away
+    std::size_t kept_queries_bytes = 256 << 20;  ///< of memory for uploads that were searched with
+    bool serve_files = false;                    ///< whether the files themselves may be had
     std::size_t evaluation_models = 1500;     ///< larger collections are not evaluated on request
     std::chrono::seconds model_timeout{600};  ///< to describe an uploaded model; 0 = for ever
     std::chrono::seconds drain_timeout{30};

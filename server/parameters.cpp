@@ -148,6 +148,7 @@ index::SearchOptions read_search_options(ParameterReader& reader) {
         reader.integer("limit", 1, 1000).value_or(static_cast<std::int64_t>(options.limit)));
     options.rank = read_rank_options(reader, true);
     options.class_filter = reader.text("class").value_or("");
+    options.fold_copies = reader.boolean("fold").value_or(options.fold_copies);
     return options;
 }
 

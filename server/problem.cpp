@@ -36,6 +36,8 @@ const std::vector<FaultRow>& fault_rows() {
         {kRouteNotFound, {"route_not_found", 404, "No such resource"}},
         {kFileNotServed, {"file_not_served", 404, "No such file"}},
         {kJobNotFound, {"job_not_found", 404, "No such job"}},
+        {kQueryNotFound, {"query_not_found", 404, "The query is gone"}},
+        {kOriginalNotAvailable, {"original_not_available", 404, "No original file"}},
         {kSegmentsNotAvailable, {"segments_not_available", 404, "No decomposition"}},
         {kThumbnailNotAvailable, {"thumbnail_not_available", 404, "No thumbnail"}},
         {kMethodNotAllowed, {"method_not_allowed", 405, "Method not allowed"}},

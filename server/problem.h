@@ -31,6 +31,8 @@ enum class RequestFault {
     kRouteNotFound,
     kFileNotServed,
     kJobNotFound,
+    kQueryNotFound,
+    kOriginalNotAvailable,
     kSegmentsNotAvailable,
     kThumbnailNotAvailable,
     kMethodNotAllowed,

@@ -29,8 +29,9 @@ struct Server::Parts {
           slots(static_cast<std::size_t>(resolve_jobs(static_cast<int>(options.searches))),
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
-          service{options,     log,   metrics,       searcher, reader,  slots,
-                  evaluations, files, std::string(), nullptr,  nullptr, random_word()},
+          queries({.bytes = options.kept_queries_bytes}),
+          service{options, log,   metrics,       searcher, reader,  slots,        evaluations,
+                  queries, files, std::string(), nullptr,  nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -43,6 +44,7 @@ struct Server::Parts {
     const StaticFiles files;
     Slots slots;
     Evaluations evaluations;
+    Queries queries;
     Service service;
     IndexWatch watch;
     Application application;

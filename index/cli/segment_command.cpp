@@ -6,17 +6,15 @@
 
 #include "engine/core/whole_file.h"
 #include "engine/decomposition/decompose.h"
-#include "engine/decomposition/rig.h"
 #include "engine/decomposition/seg_file.h"
 #include "engine/mesh/read_mesh.h"
-#include "engine/mesh/weld.h"
 #include "engine/mesh/write_mesh.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
 #include "index/coloured_parts.h"
-#include "index/gltf.h"
 #include "index/json_text.h"
+#include "index/model_segments.h"
 #include "index/presentation.h"
 
 namespace ossuary::cli {
@@ -66,10 +64,10 @@ Result<void> write_out(const std::string& out, const mesh::TriangleMesh& mesh,
     if (extension == ".obj") return write_whole_file(out, mesh::to_obj(mesh, parts, "part"));
     if (extension == ".stl") return write_whole_file(out, mesh::to_stl(mesh, parts, "part"));
     if (extension == ".glb") {
-        const mesh::TriangleMesh welded = mesh::weld(mesh, {.drop_collapsed = false}).mesh;
-        const decomposition::Rig rig = decomposition::make_rig(welded, decomposition.skeleton);
         const std::string name = std::filesystem::path(out).stem().string();
-        return write_whole_file(out, index::to_glb(welded, decomposition.segmentation, rig, name));
+        const Result<std::string> rig = index::mesh_rig(mesh, decomposition, name);
+        if (!rig.ok()) return rig.error();
+        return write_whole_file(out, *rig);
     }
     return {ErrorCode::kInvalidArgument,
             fmt::format(

@@ -71,7 +71,7 @@ Checked<Response> change_model(Service& service, const Request& request) {
     if (const auto turned = service.jobs->turn(*id, up); !turned) return fail(turned.error());
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());
-    Response response = json_answer(model_json(*model));
+    Response response = json_answer(model_json(service, roots_of(service), *model));
     response.set_header("Cache-Control", "no-store");
     return response;
 }

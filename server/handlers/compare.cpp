@@ -23,9 +23,9 @@ Checked<Response> compare(Service& service, const Request& request) {
     const auto comparison = service.searcher.compare(*a, *b, options, request.stop);
     if (!comparison) return fail(comparison.error());
     auto json = index::to_json(*comparison, options);
-    for (const char* side : {"a", "b"}) {
-        json[side]["links"] = model_links(json[side]["id"].get<index::ModelId>());
-    }
+    const index::ModelRoots roots = roots_of(service);
+    json["a"] = model_json(service, roots, comparison->a.summary);
+    json["b"] = model_json(service, roots, comparison->b.summary);
     return conditional(request.head, json_answer(json));
 }
 

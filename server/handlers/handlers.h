@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "index/presentation.h"
+#include "index/query_model.h"
 #include "server/message.h"
 #include "server/request_head.h"
 #include "server/service.h"
@@ -21,12 +23,23 @@ Checked<Response> similar(Service& service, const Request& request);
 Checked<Response> compare(Service& service, const Request& request);
 
 Checked<Response> list_models(Service& service, const Request& request);
+Checked<Response> list_facets(Service& service, const Request& request);
 Checked<Response> get_model(Service& service, const Request& request);
 Checked<Response> model_mesh(Service& service, const Request& request);
 Checked<Response> model_skeleton(Service& service, const Request& request);
 Checked<Response> model_segments(Service& service, const Request& request);
 Checked<Response> model_rig(Service& service, const Request& request);
 Checked<Response> model_thumbnail(Service& service, const Request& request);
+Checked<Response> model_file(Service& service, const Request& request);
+Checked<Response> model_stl(Service& service, const Request& request);
+
+Checked<Response> get_query(Service& service, const Request& request);
+Checked<Response> query_similar(Service& service, const Request& request);
+Checked<Response> query_mesh(Service& service, const Request& request);
+Checked<Response> query_skeleton(Service& service, const Request& request);
+Checked<Response> query_segments(Service& service, const Request& request);
+Checked<Response> query_rig(Service& service, const Request& request);
+Checked<Response> query_stl(Service& service, const Request& request);
 
 Checked<Response> list_evaluations(Service& service, const Request& request);
 Checked<Response> evaluation_json(Service& service, const Request& request);
@@ -54,11 +67,46 @@ Checked<Response> describe_interface(Service& service, const Request& request);
 /// 200 with JSON. Names from file systems may hold bytes that are not UTF-8; they become U+FFFD.
 [[nodiscard]] Response json_answer(const nlohmann::json& json);
 
-/// A model as lists and pages have it, with its links.
-[[nodiscard]] nlohmann::json model_json(const index::ModelSummary& model);
+/// Where the models lie; nowhere while the index cannot be read.
+[[nodiscard]] index::ModelRoots roots_of(Service& service);
 
-/// Where the parts of a model are.
-[[nodiscard]] nlohmann::json model_links(index::ModelId id);
+/// A model as lists and pages have it: with its links, and its path below the roots.
+[[nodiscard]] nlohmann::json model_json(const Service& service, const index::ModelRoots& roots,
+                                        const index::ModelSummary& model);
+
+/// Of a model's picture: another one, another version.
+[[nodiscard]] std::string thumbnail_version(const index::ModelSummary& model);
+
+/// A search answer; paths are those below the roots.
+[[nodiscard]] nlohmann::json search_json(Service& service, const index::SearchResult& result,
+                                         const index::QueryDescription& query,
+                                         const ranking::RankOptions& options);
+
+/// The same for a query that is kept under `token`, or not kept where that is empty.
+/// @param up  which way it is best looked at; none = nobody asked
+[[nodiscard]] nlohmann::json query_search_json(Service& service, const index::SearchResult& result,
+                                               const index::QueryModel& query,
+                                               std::optional<index::Up> up,
+                                               const std::string& token,
+                                               const ranking::RankOptions& options);
+
+/// The tag of a ranking: the answer says how long it took, so its own bytes make none; what it
+/// depends on does.
+[[nodiscard]] std::string ranking_tag(const Service& service, const index::Snapshot& snapshot,
+                                      const RequestHead& head);
+
+/// The rig of a preview.
+Checked<Response> rig_answer(const Request& request, const index::PreviewMesh& preview,
+                             const index::ModelSegments& segments,
+                             const skeleton::SkeletonGraph& skeleton, std::string_view name);
+
+/// That of a whole mesh, for whoever has a slot; and of the file of an indexed model.
+Checked<Response> full_rig(const mesh::TriangleMesh& mesh, const std::string& name,
+                           const Request& request);
+Checked<Response> full_model_rig(Service& service, const Request& request);
+
+/// Has browsers save the answer under that name.
+[[nodiscard]] Response as_download(Response response, std::string_view file_name);
 
 /// Refuses every parameter of a request that takes none.
 [[nodiscard]] std::optional<Problem> refuse_parameters(const RequestHead& head);

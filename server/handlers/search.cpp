@@ -2,13 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/stopwatch.h"
-#include "engine/mesh/decimate.h"
-#include "engine/mesh/measures.h"
 #include "engine/voxel/read_model.h"
 #include "index/describe_model.h"
 #include "index/presentation.h"
-#include "index/preview.h"
-#include "index/upright.h"
 #include "server/handlers/handlers.h"
 #include "server/parameters.h"
 
@@ -50,30 +46,35 @@ Checked<Response> search(Service& service, const Request& request) {
     Stopwatch watch;
     voxel::ReadModelOptions reading{.inside = parameters.inside};
     reading.mesh.max_bytes = service.options.http.max_body;
-    const auto query =
-        service.reader.read({upload->bytes, upload->name, {}}, reading, request.stop);
+    auto query = service.reader.read({upload->bytes, upload->name, {}}, reading, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
-    auto result = service.searcher.search(query->mesh, parameters.options, request.stop);
+    auto described = service.searcher.describe(query->mesh, request.stop);
+    if (!described) return fail(described.error());
+    auto result = service.searcher.nearest(*described, parameters.options, request.stop);
     if (!result) return fail(result.error());
-
-    result->took_ms += read_ms;
-    result->stages_ms.insert(result->stages_ms.begin(), {"read", read_ms});
-    // What the file itself is odd about comes before what the stages found.
-    result->warnings.insert(result->warnings.begin(), query->warnings.begin(),
-                            query->warnings.end());
+    StageTimes stages = {{"read", read_ms}};
+    stages.insert(stages.end(), described->stages_ms.begin(), described->stages_ms.end());
+    result->stages_ms.insert(result->stages_ms.begin(), stages.begin(), stages.end());
+    result->took_ms = read_ms + watch.lap_ms();
     service.metrics.search(result->stages_ms);
-    index::QueryDescription description{upload->name, query->mesh.vertices.size(),
-                                        query->mesh.face_count, index::frame_of(*query)};
-    description.up = description.frame.up;
+
+    const index::FileFrame frame = index::frame_of(*query);
+    const auto model =
+        std::make_shared<index::QueryModel>(upload->name, std::move(query->mesh), frame,
+                                            std::move(query->warnings), *std::move(described));
+    const std::string token = service.queries.keep(model);
     nlohmann::json preview;
+    std::optional<index::Up> up = model->frame().up;
     if (parameters.with_mesh) {
-        const mesh::TriangleMesh& body = result->query_body.of(query->mesh);
-        const mesh::TriangleMesh coarse = mesh::decimate(body, {}, request.stop);
-        if (!description.up) description.up = index::find_up(coarse);
-        preview = index::to_json(index::make_preview(coarse), mesh::measure(body).bounds);
+        const auto mesh = model->preview(request.stop);
+        if (!mesh) return fail(mesh.error());
+        preview = index::to_json(*mesh, model->bounds());
+        const auto found = model->up(request.stop);
+        if (!found) return fail(found.error());
+        up = *found;
     }
-    auto json = index::to_json(*result, description, parameters.options.rank);
+    auto json = query_search_json(service, *result, *model, up, token, parameters.options.rank);
     if (parameters.with_mesh) json["query"]["mesh"] = std::move(preview);
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");

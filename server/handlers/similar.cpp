@@ -7,6 +7,15 @@
 
 namespace ossuary::server {
 
+std::string ranking_tag(const Service& service, const index::Snapshot& snapshot,
+                        const RequestHead& head) {
+    std::string key = service.instance + ' ' + std::to_string(snapshot.state().replacements) + ' ' +
+                      std::to_string(snapshot.revision()) + ' ' +
+                      std::to_string(snapshot.state().statistics) + ' ' + head.path;
+    for (const Field& field : head.parameters) key += '\n' + field.name + '=' + field.value;
+    return etag_of(key);
+}
+
 Checked<Response> similar(Service& service, const Request& request) {
     const auto id = parse_id(request.capture, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
@@ -20,14 +29,7 @@ Checked<Response> similar(Service& service, const Request& request) {
     if (!position) {
         return fail({ErrorCode::kModelNotFound, "There is no model " + request.capture + "."});
     }
-    // The answer says how long it took, so its own bytes make no tag; what it depends on does.
-    std::string key = service.instance + ' ' + std::to_string((*snapshot)->state().replacements) +
-                      ' ' + std::to_string((*snapshot)->revision()) + ' ' +
-                      std::to_string((*snapshot)->state().statistics) + ' ' + request.head.path;
-    for (const Field& field : request.head.parameters) {
-        key += '\n' + field.name + '=' + field.value;
-    }
-    std::string etag = etag_of(key);
+    std::string etag = ranking_tag(service, **snapshot, request.head);
     if (is_current(request.head, etag)) return not_modified(std::move(etag));
 
     const auto slot = wait_for_slot(service, request);
@@ -35,11 +37,11 @@ Checked<Response> similar(Service& service, const Request& request) {
     const auto result = service.searcher.similar(*id, options, request.stop);
     if (!result) return fail(result.error());
     const index::ModelSummary& model = (*snapshot)->models()[*position];
-    return conditional(
-        request.head,
-        json_answer(index::to_json(*result, {model.name, model.vertices, model.faces, model.frame},
-                                   options.rank)),
-        std::move(etag));
+    return conditional(request.head,
+                       json_answer(search_json(
+                           service, *result, {model.name, model.vertices, model.faces, model.frame},
+                           options.rank)),
+                       std::move(etag));
 }
 
 }  // namespace ossuary::server

@@ -75,7 +75,8 @@ describe('the start page', () => {
     it('finds models by class, and keeps the filter in the address', async () => {
         const page = await open();
         await page.locator('.collection .card-link').first().waitFor();
-        await page.locator('.filters [name=class]').fill('cross');
+        await page.locator('.filters option[value=cross]').waitFor({ state: 'attached' });
+        await page.locator('.filters [name=class]').selectOption('cross');
         await page
             .locator('.collection .count', { hasText: new RegExp(`^${kModelsPerClass}$`) })
             .waitFor();
@@ -101,7 +102,7 @@ describe('the start page', () => {
         // The browser itself reports the refusal, and nothing else may be wrong.
         expect(visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
         await upload(page, collection.models.query);
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         expect(visitor.strangers).toEqual([]);
     });
 });
@@ -110,7 +111,7 @@ describe('a search by upload', () => {
     it('leads to hits with pictures, to the 3D comparison and to the reports', async () => {
         const page = await open();
         await upload(page, collection.models.query);
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
         expect(await page.locator('.hit-card').count()).toBe(kModels);
         expect(await page.locator('.hit-card .tag').first().textContent()).toBe('quadruped');
@@ -118,8 +119,12 @@ describe('a search by upload', () => {
         const query = await pictureOf(page.locator('.query-picture canvas'));
         expect((await looksOf(query, page)).drawn).toBeGreaterThan(0.02);
 
+        const saved = page.waitForEvent('download');
+        await page.getByRole('button', { name: 'Save as CSV' }).click();
+        expect((await saved).suggestedFilename()).toBe('like-query.csv');
+
         await page.locator('.hit-card a').first().click();
-        await page.waitForURL('**/#/search/hits/*');
+        await page.waitForURL('**/#/q/*/hits/*');
         const canvases = page.locator('dialog .pane-canvas');
         await canvases.nth(1).waitFor();
         expect(await canvases.count()).toBe(2);
@@ -132,7 +137,7 @@ describe('a search by upload', () => {
         expect(await page.locator('.parts-list dt').count()).toBeGreaterThan(0);
 
         await page.keyboard.press('Escape');
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         expect(await page.locator('dialog').count()).toBe(0);
         await page.getByRole('link', { name: 'Reports' }).click();
         await page.locator('.metrics-table tbody tr').nth(2).waitFor();
@@ -143,38 +148,40 @@ describe('a search by upload', () => {
         expectGoodManners();
     });
 
-    it('asks again for other options, and goes back and forward', async () => {
+    it('asks for other options without sending it again, and one step back leads away', async () => {
         const page = await open();
         await upload(page, collection.models.query);
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
+        const address = page.url();
         const [again] = await Promise.all([
-            page.waitForResponse((response) => response.url().includes('/v1/search')),
+            page.waitForResponse((response) => response.url().includes('/similar')),
             page.getByRole('radio', { name: 'Chain code' }).check(),
         ]);
+        expect(again.request().method()).toBe('GET');
         expect(again.url()).toContain('ranker=chain-code');
-        await page.waitForURL('**/#/search?ranker=chain-code');
-        await page.locator('.hit-card a').first().click();
-        await page.locator('dialog .pane-canvas').first().waitFor();
-        await page.goBack();
-        await page.waitForURL('**/#/search?ranker=chain-code');
-        expect(await page.locator('dialog').count()).toBe(0);
-        await page.goBack();
-        await page.waitForURL('**/#/search');
-        expect(await page.locator('[value=hybrid]').isChecked()).toBe(true);
+        await page.waitForURL(`${address}?ranker=chain-code`);
+        await page.getByRole('radio', { name: 'Skeleton' }).check();
+        await page.waitForURL(`${address}?ranker=skeleton`);
         await page.goBack();
         await page.locator('.drop-zone').waitFor();
         await page.goForward();
         await page.locator('.hit-card').first().waitFor();
+        expect(page.url()).toBe(`${address}?ranker=skeleton`);
         expectGoodManners();
     });
 
-    it('says that the upload is gone after a reload', async () => {
+    it('survives a reload, and has parts and a pose', async () => {
         const page = await open();
         await upload(page, collection.models.query);
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         await page.reload();
-        await page.getByText('The uploaded model is gone.').waitFor();
+        await page.locator('.hit-card').first().waitFor();
+        expect(await page.locator('.hit-card .tag').first().textContent()).toBe('quadruped');
+        await page.getByRole('link', { name: 'Parts and pose' }).click();
+        await page.locator('.part-legend tbody tr').nth(2).waitFor();
+        await untilDrawn(page.locator('dialog .pane-canvas'));
+        expect(await page.locator('.joint-handle').count()).toBeGreaterThan(3);
         expectGoodManners();
     });
 });
@@ -376,7 +383,7 @@ describe('the parts of a model', () => {
         const place = async () => {
             await untilDrawn(page.locator('dialog .pane-canvas'));
             const box = await joint.boundingBox();
-            return { x: (box?.x ?? 0) + 7, y: (box?.y ?? 0) + 7 };
+            return { x: (box?.x ?? 0) + 12, y: (box?.y ?? 0) + 12 };
         };
         const from = await place();
         await page.mouse.move(from.x, from.y);
@@ -386,7 +393,14 @@ describe('the parts of a model', () => {
         await page.mouse.up();
         const dragged = await place();
         expect(Math.hypot(dragged.x - from.x, dragged.y - from.y)).toBeGreaterThan(8);
-        expect(await changedPixels(rest, await modelIn(page), page)).toBeGreaterThan(0);
+        const posed = await modelIn(page);
+        expect(await changedPixels(rest, posed, page)).toBeGreaterThan(0);
+        expect(page.url()).toContain('posed=');
+        await page.getByRole('button', { name: 'Undo' }).click();
+        expect(await changedPixels(rest, await modelIn(page), page)).toBe(0);
+        expect(page.url()).not.toContain('posed=');
+        await page.getByRole('button', { name: 'Redo' }).click();
+        expect(await changedPixels(posed, await modelIn(page), page)).toBe(0);
         await page.getByRole('button', { name: 'Reset pose' }).click();
         expect(await changedPixels(rest, await modelIn(page), page)).toBe(0);
         const back = await place();
@@ -468,7 +482,7 @@ describe('without a mouse', () => {
         await tabTo(page, '.drop-zone button');
         await page.keyboard.press('Enter');
         await (await chooser).setFiles(collection.models.query);
-        await page.waitForURL('**/#/search');
+        await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
         expectGoodManners();
     });

@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 
 const kLong = 'W'.repeat(60);
-const kNames = ['name', 'class', 'detail', 'title', 'message'];
+const kNames = ['name', 'class', 'detail', 'title', 'message', 'path', 'value'];
 
 /** Every name, class and message grown by one long word without a place to break. */
 function lengthened(value: unknown): unknown {
@@ -21,7 +21,12 @@ function lengthened(value: unknown): unknown {
                 return [key, Object.fromEntries(rows.map(([name, row]) => [name + kLong, row]))];
             }
             if (key === 'classes' && Array.isArray(entry)) {
-                return [key, entry.map((name) => name + kLong)];
+                return [
+                    key,
+                    entry.map((name) =>
+                        typeof name === 'string' ? name + kLong : lengthened(name),
+                    ),
+                ];
             }
             if (key === 'warnings') {
                 const warning = { code: 'odd', count: 1, message: `Odd: ${kLong}` };
@@ -34,7 +39,7 @@ function lengthened(value: unknown): unknown {
 
 /** Lets the server answer questions about its models with names such as people have, only longer. */
 export async function answerWithLongWords(page: Page): Promise<void> {
-    await page.route(/\/v1\/(models|evaluations)/, async (route) => {
+    await page.route(/\/v1\/(models|evaluations|facets)/, async (route) => {
         const response = await route.fetch();
         if (!/json/.test(response.headers()['content-type'] ?? '')) {
             return route.fulfill({ response });

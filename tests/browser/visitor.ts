@@ -1,7 +1,7 @@
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 
 /** Software WebGL on a busy machine is slow; what hangs, hangs longer than this. */
-export const kPatienceMs = 240_000;
+export const kPatienceMs = Number(process.env.OSSUARY_BROWSER_PATIENCE_MS ?? 240_000);
 const kChromium = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 /** Headless, WebGL in software, and silent towards the network. */

@@ -184,6 +184,17 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
     hold("get", models + "/{id}/rig.glb", get(models + "/5/rig.glb", "If-None-Match: *\r\n"), 304);
     hold("get", models + "/{id}/rig.glb", get(models + "/99/rig.glb"), 404);
     hold("get", models + "/{id}/thumbnail.png", get(models + "/5/thumbnail.png"), 200);
+    hold("get", models + "/{id}/thumbnail.png", get(models + "/5/thumbnail.png?v=1"), 200);
+    hold("get", models + "/{id}/file", get(models + "/5/file"), 404);
+    hold("get", models + "/{id}/mesh.stl", get(models + "/5/mesh.stl"), 404);
+    hold("get", "/v1/facets", get("/v1/facets"), 200);
+    const std::string token = server_.json(post("/v1/search", tree))["token"];
+    const std::string query = "/v1/queries/{token}";
+    for (const char* part :
+         {"", "/similar", "/mesh", "/skeleton", "/segments", "/rig.glb", "/mesh.stl"}) {
+        hold("get", query + part, get("/v1/queries/" + token + part), 200);
+        hold("get", query + part, get("/v1/queries/x" + std::string(part)), 404);
+    }
     hold("get", "/v1/compare", get("/v1/compare?a=1"), 400);
     hold("get", "/v1/evaluations", get("/v1/evaluations"), 200);
     hold("get", "/v1/evaluations/{ranker}.csv", get("/v1/evaluations/hybrid.csv"), 200);
@@ -207,12 +218,14 @@ TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
         }
         std::string address = std::regex_replace(path, std::regex("\\{id\\}"), "1");
         address = std::regex_replace(address, std::regex("\\{ranker\\}"), "hybrid");
+        address = std::regex_replace(address, std::regex("\\{token\\}"), "x");
         std::set<std::string> names;
         for (const nlohmann::json& each : parameters) {
             if (resolved(each)["in"] == "query") names.insert(resolved(each)["name"]);
         }
-        for (const char* name : {"a", "b", "limit", "cursor", "ranker", "pose", "size", "class",
-                                 "rerank", "part", "include", "name"}) {
+        for (const char* name :
+             {"a", "b", "limit", "cursor", "ranker", "pose", "size", "class", "rerank", "part",
+              "include", "name", "fold", "sort", "offset", "folder", "kind", "detail", "v"}) {
             // A space is a value that none takes but texts; what counts is whether it is unknown.
             const RawAnswer answer = server_.ask(get(address + "?" + name + "=+"));
             const bool unknown = answer.body.find("parameter_unknown") != std::string::npos;

@@ -1,99 +1,233 @@
 import { type Client, createClient } from './api/client';
+import { kSearchDefaults } from './api/search_parameters';
+import { dropTarget } from './gallery/drop_target';
+import { fileChooser } from './gallery/file_chooser';
 import { homePage } from './gallery/home_page';
-import { resultsPage } from './gallery/results_page';
-import { reportsPage } from './reports/reports_page';
+import { uploadTray } from './gallery/upload_tray';
 import type { Context, Page } from './page/context';
 import { element, replace } from './page/element';
 import { header } from './page/header';
 import { KnownClasses } from './page/known_classes';
+import { laterPage } from './page/later_page';
 import { emptyNotice } from './page/problem_notice';
-import { formatRoute, kHome, parseRoute, type Route } from './page/routes';
+import { Recent } from './page/recent';
+import { formatRoute, kHome, parseRoute, type Route, resultsOf } from './page/routes';
+import { type Upload, Uploads } from './page/uploads';
+import { Visits } from './page/visits';
 
 export interface AppOptions {
     client: Client;
 }
+
+const kAnswers = 12;
+/** The collection may change behind an answer that is kept for the way back. */
+const kAnswersMs = 5 * 60_000;
 
 function missingPage(): Page {
     return {
         node: element(
             'div',
             { class: 'page' },
+            element('h1', { class: 'visually-hidden' }, 'Not found'),
             emptyNotice(
                 'There is no such page.',
                 element('a', { href: formatRoute(kHome) }, 'Go to the start page'),
             ),
         ),
         title: 'Not found',
+        ready: Promise.resolve(),
         update: () => false,
         dispose: () => {},
     };
 }
 
+const resultsCode = () => import('./gallery/results_page');
+
 function build(route: Route, context: Context): Page {
     switch (route.page) {
         case 'home':
             return homePage(route, context);
+        // The start page is there before the code of what it leads to.
         case 'results':
-            return resultsPage(route, context);
+            return laterPage({
+                route,
+                title: 'Results',
+                load: async () => {
+                    const { resultsPage } = await resultsCode();
+                    return (to) => resultsPage(to, context);
+                },
+            });
         case 'reports':
-            return reportsPage(context);
+            return laterPage({
+                route,
+                title: 'Reports',
+                load: async () => {
+                    const { reportsPage } = await import('./reports/reports_page');
+                    return () => reportsPage(context);
+                },
+            });
         case 'missing':
             return missingPage();
+    }
+}
+
+function linkWithFocus(): string | null {
+    return document.activeElement?.getAttribute('href') ?? null;
+}
+
+/** The page that is shown, and the way from one to the next. */
+class App {
+    readonly main = element('main', { id: 'main', tabindex: -1 });
+    readonly status = element('div', { class: 'visually-hidden', role: 'status' });
+    readonly context: Context;
+    private readonly visits_ = new Visits();
+    private readonly onShow_: (route: Route) => void;
+    private page_: Page | null = null;
+    private address_ = '';
+
+    constructor(client: Client, onShow: (route: Route) => void) {
+        this.onShow_ = onShow;
+        this.context = {
+            client,
+            classes: new KnownClasses(client),
+            uploads: new Uploads(client),
+            answers: new Recent(kAnswers, kAnswersMs),
+            parameters: kSearchDefaults,
+            navigate: (route) => this.navigate(route),
+            replace: (route) => {
+                this.context.rewrite(route);
+                this.show();
+            },
+            back: (fallback) => {
+                const { from } = this.visits_;
+                if (from !== null && parseRoute(from).page === 'results') {
+                    history.back();
+                } else {
+                    this.context.replace(fallback);
+                }
+            },
+            rewrite: (route) => {
+                this.visits_.replace(formatRoute(route));
+                this.address_ = location.hash;
+            },
+            entitle: (title) => {
+                document.title = `${title} · Ossuary`;
+            },
+            announce: (message) => {
+                this.status.textContent = message;
+            },
+        };
+        this.context.uploads.onDone = (upload: Upload) => this.showUpload(upload);
+    }
+
+    /** After the browser has gone to another address. */
+    readonly follow = (): void => {
+        if (location.hash === this.address_) {
+            return;
+        }
+        this.leave();
+        this.visits_.follow(this.address_);
+        this.show();
+    };
+
+    show(): void {
+        this.address_ = location.hash;
+        const route = parseRoute(this.address_);
+        this.onShow_(route);
+        if (this.page_?.update(route)) {
+            return;
+        }
+        const first = this.page_ === null;
+        this.page_?.dispose();
+        const page = build(route, this.context);
+        this.page_ = page;
+        replace(this.main, page.node);
+        this.context.entitle(page.title);
+        if (!first) {
+            // Otherwise the focus would be lost with the link that was followed.
+            this.main.focus({ preventScroll: true });
+        }
+        void this.settle(page);
+    }
+
+    dispose(): void {
+        this.page_?.dispose();
+    }
+
+    private navigate(route: Route): void {
+        const address = formatRoute(route);
+        if (location.hash !== address) {
+            this.leave();
+            this.visits_.push(address, this.address_);
+        }
+        this.show();
+    }
+
+    private leave(): void {
+        this.visits_.leave({ y: scrollY, link: linkWithFocus() });
+    }
+
+    /** To where the page was left, should it have been seen before; else to its beginning. */
+    private async settle(page: Page): Promise<void> {
+        const { place } = this.visits_;
+        scrollTo(0, 0);
+        if (!place) {
+            return;
+        }
+        await page.ready;
+        if (this.page_ !== page) {
+            return;
+        }
+        scrollTo(0, place.y);
+        if (place.link !== null && document.activeElement === this.main) {
+            this.main
+                .querySelector<HTMLElement>(`a[href="${CSS.escape(place.link)}"]`)
+                ?.focus({ preventScroll: true });
+        }
+    }
+
+    private showUpload({ name, token, answer }: Upload): void {
+        const hits = answer?.result.hits.length ?? 0;
+        this.context.announce(`${hits} hits for ${name}`);
+        this.navigate(
+            resultsOf(
+                token === null ? { kind: 'upload' } : { kind: 'query', token },
+                answer?.parameters,
+            ),
+        );
+    }
+}
+
+/** Once nothing else is to be done. */
+function requestIdle(work: () => void): void {
+    if ('requestIdleCallback' in globalThis) {
+        requestIdleCallback(work);
+    } else {
+        setTimeout(work, 0);
     }
 }
 
 /** Builds the page in `root` and follows the address bar. Returns what takes it down again. */
 export function startApp(root: HTMLElement, options: Partial<AppOptions> = {}): () => void {
     const { client } = { client: createClient(), ...options };
-    const top = header();
-    const main = element('main', { id: 'main', tabindex: -1 });
-    const status = element('div', { class: 'visually-hidden', role: 'status' });
+    const take = (files: File[]): void => app.context.uploads.take(files, app.context.parameters);
+    const chooser = fileChooser({ label: 'Search with a file', onFiles: take });
+    const top = header(chooser.node);
+    const app = new App(client, (route) => top.show(route));
+    const tray = uploadTray(app.context);
+    const target = dropTarget({ onFiles: take, onProblem: (error) => tray.complain(error) });
     const skip = element('button', { class: 'skip', type: 'button' }, 'Skip to the content');
-    skip.addEventListener('click', () => main.focus());
-    replace(root, skip, top.node, main, status);
-
-    let page: Page | null = null;
-    const show = (): void => {
-        const route = parseRoute(location.hash);
-        top.show(route);
-        if (page?.update(route)) {
-            return;
-        }
-        const first = page === null;
-        page?.dispose();
-        page = build(route, context);
-        replace(main, page.node);
-        document.title = `${page.title} · Ossuary`;
-        if (!first) {
-            scrollTo(0, 0);
-            // Otherwise the focus would be lost with the link that was followed.
-            main.focus({ preventScroll: true });
-        }
-    };
-    const context: Context = {
-        client,
-        classes: new KnownClasses(),
-        upload: null,
-        navigate(route) {
-            const address = formatRoute(route);
-            if (location.hash === address) {
-                show();
-            } else {
-                location.hash = address;
-            }
-        },
-        rewrite(route) {
-            history.replaceState(null, '', formatRoute(route));
-        },
-        announce(message) {
-            status.textContent = message;
-        },
-    };
-    addEventListener('hashchange', show);
-    show();
+    skip.addEventListener('click', () => app.main.focus());
+    replace(root, skip, top.node, tray.node, app.main, target.node, app.status);
+    addEventListener('hashchange', app.follow);
+    app.show();
+    // Most visits lead there; should it fail now, it is asked for again.
+    requestIdle(() => void resultsCode().catch(() => {}));
     return () => {
-        removeEventListener('hashchange', show);
-        page?.dispose();
+        removeEventListener('hashchange', app.follow);
+        target.dispose();
+        tray.dispose();
+        app.dispose();
         root.replaceChildren();
     };
 }

@@ -2,9 +2,12 @@ import { vi } from 'vitest';
 
 import type { Client } from '../src/api/client';
 import type { ModelSummary, PreviewMesh } from '../src/api/elements';
-import type { Evaluation, Hit, SearchResult, Skeleton, Vector } from '../src/api/types';
+import { kSearchDefaults } from '../src/api/search_parameters';
+import type { Evaluation, Facets, Hit, SearchResult, Skeleton, Vector } from '../src/api/types';
 import type { Context } from '../src/page/context';
 import { KnownClasses } from '../src/page/known_classes';
+import { Recent } from '../src/page/recent';
+import { Uploads } from '../src/page/uploads';
 
 /** Small answers in the server's shapes, for tests that are not about their contents. */
 
@@ -74,7 +77,9 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
             mesh: `/v1/models/${id}/mesh`,
             skeleton: `/v1/models/${id}/skeleton`,
             similar: `/v1/models/${id}/similar`,
-            thumbnail: `/v1/models/${id}/thumbnail.png`,
+            segments: `/v1/models/${id}/segments`,
+            rig: `/v1/models/${id}/rig.glb`,
+            thumbnail: `/v1/models/${id}/thumbnail.png?v=1`,
         },
         ...fields,
     };
@@ -86,6 +91,11 @@ export function hit(rank: number, fields: Partial<Hit> = {}): Hit {
         id: 100 + rank,
         name: `hit${rank}`,
         class: 'chair',
+        path: `chairs/hit${rank}.off`,
+        faces: 20,
+        extent: [3, 1, 1],
+        copies: 0,
+        thumbnail: `/v1/models/${100 + rank}/thumbnail.png?v=1`,
         distance: rank / 10,
         parts: { skeleton: rank / 20, moments: rank / 20 },
         build_difference: 0.4,
@@ -159,6 +169,8 @@ export function evaluation(fields: Partial<Evaluation> = {}): Evaluation {
     };
 }
 
+export const kNoFacets: Facets = { classes: [], folders: [], kinds: [], revision: 1 };
+
 /** A server that was not expected to be asked. */
 function refuse(): Promise<never> {
     return Promise.reject(new Error('not expected to be asked'));
@@ -169,6 +181,7 @@ export function clientWith(methods: Partial<Client>): Client {
         search: refuse,
         similar: refuse,
         models: refuse,
+        facets: async () => kNoFacets,
         model: refuse,
         mesh: refuse,
         skeleton: refuse,
@@ -182,20 +195,29 @@ export function clientWith(methods: Partial<Client>): Client {
 export interface RecordedContext extends Context {
     visited: unknown[];
     announced: string[];
+    titles: string[];
 }
 
 export function contextWith(methods: Partial<Client>): RecordedContext {
     const visited: unknown[] = [];
     const announced: string[] = [];
+    const titles: string[] = [];
+    const client = clientWith(methods);
     return {
-        client: clientWith(methods),
-        classes: new KnownClasses(),
-        upload: null,
+        client,
+        classes: new KnownClasses(client),
+        uploads: new Uploads(client),
+        answers: new Recent(3, 60_000),
+        parameters: kSearchDefaults,
         navigate: (route) => void visited.push(route),
+        replace: (route) => void visited.push(route),
+        back: (route) => void visited.push(route),
+        entitle: (title) => void titles.push(title),
         rewrite: (route) => void visited.push(route),
         announce: (message) => void announced.push(message),
         visited,
         announced,
+        titles,
     };
 }
 

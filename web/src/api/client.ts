@@ -1,7 +1,15 @@
 import type { ModelSummary, PreviewMesh } from './elements';
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
 import { encodeSearch, type SearchParameters } from './search_parameters';
-import type { Evaluation, ModelPage, Ranker, SearchResult, Segments, Skeleton } from './types';
+import type {
+    Evaluation,
+    Facets,
+    ModelPage,
+    Ranker,
+    SearchResult,
+    Segments,
+    Skeleton,
+} from './types';
 
 export interface ClientOptions {
     /** Before every path; empty: the page's own origin. */
@@ -14,54 +22,75 @@ const kDefaults: ClientOptions = {
     fetch: (input, init) => globalThis.fetch(input, init),
 };
 
+export const kModelOrders = ['name', 'newest', 'faces', 'branches'] as const;
+export type ModelOrder = (typeof kModelOrders)[number];
+
+/** Which models of the collection; empty: all. */
 export interface ModelFilter {
     name: string;
     className: string;
-    limit: number;
-    cursor: string | null;
+    /** Below the folder that was indexed. */
+    folder: string;
+    /** The ending of the model's file, in small letters. */
+    kind: string;
 }
 
-export const kModelFilterDefaults: Readonly<ModelFilter> = {
-    name: '',
-    className: '',
-    limit: 60,
-    cursor: null,
-};
+export const kAllModels: Readonly<ModelFilter> = { name: '', className: '', folder: '', kind: '' };
+
+/** A stretch of a list of models. */
+export interface Stretch {
+    sort: ModelOrder;
+    offset: number;
+    limit: number;
+}
+
+/** A model that the server holds: one of the collection, or an upload that it keeps for a while. */
+export type HeldModel = { kind: 'model'; id: number } | { kind: 'query'; token: string };
 
 export interface Client {
-    /** The answer holds the query's preview mesh, since the server keeps nothing of an upload. */
+    /** The answer holds the query's preview mesh, so that it can be drawn at once. */
     search(file: File, parameters: SearchParameters, signal?: AbortSignal): Promise<SearchResult>;
-    similar(id: number, parameters: SearchParameters, signal?: AbortSignal): Promise<SearchResult>;
-    models(filter: Partial<ModelFilter>, signal?: AbortSignal): Promise<ModelPage>;
+    similar(
+        model: HeldModel,
+        parameters: SearchParameters,
+        signal?: AbortSignal,
+    ): Promise<SearchResult>;
+    models(filter: ModelFilter, stretch: Stretch, signal?: AbortSignal): Promise<ModelPage>;
+    facets(filter: ModelFilter, signal?: AbortSignal): Promise<Facets>;
     model(id: number, signal?: AbortSignal): Promise<ModelSummary>;
-    mesh(id: number, signal?: AbortSignal): Promise<PreviewMesh>;
-    skeleton(id: number, signal?: AbortSignal): Promise<Skeleton>;
-    segments(id: number, signal?: AbortSignal): Promise<Segments>;
+    mesh(model: HeldModel, signal?: AbortSignal): Promise<PreviewMesh>;
+    skeleton(model: HeldModel, signal?: AbortSignal): Promise<Skeleton>;
+    segments(model: HeldModel, signal?: AbortSignal): Promise<Segments>;
     /** The preview mesh as binary glTF, a primitive for each part, skinned by the skeleton. */
-    rig(id: number, signal?: AbortSignal): Promise<ArrayBuffer>;
+    rig(model: HeldModel, signal?: AbortSignal): Promise<ArrayBuffer>;
     evaluation(ranker: Ranker, signal?: AbortSignal): Promise<Evaluation>;
 }
 
-export function thumbnailPath(id: number): string {
-    return `/v1/models/${id}/thumbnail.png`;
+/** Where the server has what it holds of a model. */
+export function pathOf(model: HeldModel): string {
+    return model.kind === 'model' ? `/v1/models/${model.id}` : `/v1/queries/${model.token}`;
 }
 
 export function evaluationPath(ranker: Ranker, form: '' | '.csv' | '.svg' = ''): string {
     return `/v1/evaluations/${ranker}${form}`;
 }
 
-function encodeFilter(filter: Partial<ModelFilter>): URLSearchParams {
-    const { name, className, limit, cursor } = { ...kModelFilterDefaults, ...filter };
-    const query = new URLSearchParams({ limit: String(limit) });
-    if (name !== '') {
-        query.set('name', name);
+/** Only what is asked for; the same names in the page's address and in the request. */
+export function encodeFilter({ name, className, folder, kind }: ModelFilter): URLSearchParams {
+    const query = new URLSearchParams();
+    for (const [key, value] of Object.entries({ name, class: className, folder, kind })) {
+        if (value !== '') {
+            query.set(key, value);
+        }
     }
-    if (className !== '') {
-        query.set('class', className);
-    }
-    if (cursor !== null) {
-        query.set('cursor', cursor);
-    }
+    return query;
+}
+
+function encodeList(filter: ModelFilter, { sort, offset, limit }: Stretch): URLSearchParams {
+    const query = encodeFilter(filter);
+    query.set('sort', sort);
+    query.set('offset', String(offset));
+    query.set('limit', String(limit));
     return query;
 }
 
@@ -133,16 +162,18 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
                 ...(signal ? { signal } : {}),
             });
         },
-        similar(id, parameters, signal) {
-            return get(`/v1/models/${id}/similar?${encodeSearch(parameters)}`, signal);
+        similar(model, parameters, signal) {
+            return get(`${pathOf(model)}/similar?${encodeSearch(parameters)}`, signal);
         },
-        models: (filter, signal) => get(`/v1/models?${encodeFilter(filter)}`, signal),
+        models: (filter, stretch, signal) =>
+            get(`/v1/models?${encodeList(filter, stretch)}`, signal),
+        facets: (filter, signal) => get(`/v1/facets?${encodeFilter(filter)}`, signal),
         model: (id, signal) => get(`/v1/models/${id}`, signal),
-        mesh: (id, signal) => get(`/v1/models/${id}/mesh`, signal),
-        skeleton: (id, signal) => get(`/v1/models/${id}/skeleton`, signal),
-        segments: (id, signal) => get(`/v1/models/${id}/segments`, signal),
-        rig: (id, signal) =>
-            file(`/v1/models/${id}/rig.glb`, 'model/gltf-binary', signal ? { signal } : {}),
+        mesh: (model, signal) => get(`${pathOf(model)}/mesh`, signal),
+        skeleton: (model, signal) => get(`${pathOf(model)}/skeleton`, signal),
+        segments: (model, signal) => get(`${pathOf(model)}/segments`, signal),
+        rig: (model, signal) =>
+            file(`${pathOf(model)}/rig.glb`, 'model/gltf-binary', signal ? { signal } : {}),
         evaluation: (ranker, signal) => get(evaluationPath(ranker), signal),
     };
 }

@@ -8,7 +8,8 @@ export type KnownProblem = Pick<Problem, 'title' | 'status' | 'detail'> & {
 
 /**
  * Any request that did not end in the answer asked for. `code` is the server's stable code, or one
- * of the page's own where no problem document arrived: `unreachable`, `unexpected_answer`.
+ * of the page's own where no problem document arrived: `unreachable`, `unexpected_answer`,
+ * `local_file`, `local_folder`, `page_part`.
  */
 export class ApiError extends Error {
     readonly code: string;
@@ -54,6 +55,16 @@ export function unreachable(): ApiError {
         status: 0,
         detail: 'The connection was refused or closed before an answer arrived.',
         code: 'unreachable',
+    });
+}
+
+/** What stands on this side of the connection: the browser cannot read a file that was given to it. */
+export function localFileFault(name: string): ApiError {
+    return new ApiError({
+        title: 'The file cannot be read',
+        status: 0,
+        detail: `${name}: the browser could not read it. It may have been moved, changed or removed since it was chosen.`,
+        code: 'local_file',
     });
 }
 

@@ -9,6 +9,10 @@ export interface SearchParameters {
     /** 0: bodies of any size; 1: size counts, for models of one unit. */
     size: 0 | 1;
     rerank: boolean;
+    /** Models that have the query as a part. */
+    part: boolean;
+    /** Copies of one model are one hit. */
+    fold: boolean;
     limit: number;
     /** Empty: all classes. */
     className: string;
@@ -19,6 +23,8 @@ export const kSearchDefaults: Readonly<SearchParameters> = {
     pose: 0.15,
     size: 0,
     rerank: false,
+    part: false,
+    fold: true,
     limit: 24,
     className: '',
 };
@@ -45,7 +51,10 @@ export function encodeSearch(parameters: SearchParameters): URLSearchParams {
         limit: String(parameters.limit),
         ranker: parameters.ranker,
         pose: String(parameters.pose),
-        rerank: String(parameters.rerank),
+        // A part is not ranked by what whole models have in common.
+        rerank: String(parameters.rerank && !parameters.part),
+        part: String(parameters.part),
+        fold: String(parameters.fold),
     });
     if (parameters.size > 0) {
         query.set('size', String(parameters.size));
@@ -75,6 +84,8 @@ export function decodeSearch(query: URLSearchParams): SearchParameters {
         pose: parsePose(query.get('pose')),
         size: query.get('size') === '1' ? 1 : 0,
         rerank: query.get('rerank') === 'true',
+        part: query.get('part') === 'true',
+        fold: query.get('fold') !== 'false',
         limit: parseLimit(query.get('limit')),
         className: query.get('class') ?? '',
     };

@@ -14,9 +14,185 @@ export interface paths {
          * Rank the collection against an uploaded model
          * @description The body is a model file (OFF and its relatives, STL, OBJ, PLY, 3MF, glTF, COLLADA, X3D, AMF,
          *     FBX, STEP or IGES, points, a volume, or any of them packed by gzip or in a ZIP archive), raw or as the
-         *     field `model` of a multipart form; the format follows the contents. Nothing is stored.
+         *     field `model` of a multipart form; the format follows the contents. Nothing is written to a disk; the answer's
+         *     `token` leads to the upload while the server keeps it in memory (`/v1/queries/{token}`).
          */
         post: operations["search"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /**
+         * An upload that was searched with
+         * @description Every answer of `POST /v1/search` names a token under which the server keeps the upload, in memory alone, until
+         *     a quarter of an hour after it was last asked for or until later ones need its room; then `query_not_found`.
+         */
+        get: operations["getQuery"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/similar": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /** Rank the collection against a kept upload */
+        get: operations["similarToQuery"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/mesh": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /** The upload's preview mesh, at most 2,000 triangles */
+        get: operations["queryMesh"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/skeleton": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /** The upload's refined skeleton with its chain codes */
+        get: operations["querySkeleton"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/segments": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The upload's parts
+         * @description As those of a model; found when first asked for.
+         */
+        get: operations["querySegments"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/rig.glb": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The upload with joints to move it by
+         * @description As that of a model.
+         */
+        get: operations["queryRig"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/queries/{token}/mesh.stl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The upload as binary STL
+         * @description All of its triangles, for programs that cannot read what was sent.
+         */
+        get: operations["queryStl"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/facets": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * What the models are like, with counts
+         * @description Classes, folders and kinds of files among the models that fit the filters; each list as if the filters did
+         *     not ask for just that, so that another value can be chosen. Of more than 1,000 values those of the most
+         *     models.
+         */
+        get: operations["listFacets"];
+        put?: never;
+        post?: never;
         delete?: never;
         options?: never;
         head?: never;
@@ -30,7 +206,7 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List the models, in the order of their ids */
+        /** List the models */
         get: operations["listModels"];
         put?: never;
         /**
@@ -181,9 +357,57 @@ export interface paths {
          *     `/segments`, skinned by the skeleton of `/skeleton`: a joint `branch N` for each branch, where it
          *     leaves the side of the thickest node (`root`), and a `tip of branch N` at each end; `extras.branch` of a
          *     joint and `extras.part` of a material are their numbers. Computed when
-         *     asked for; `segments_not_available` where the model has no `/segments`.
+         *     asked for; `segments_not_available` where the model has no `/segments`. With `detail=full` made of the model's
+         *     file instead, at its own resolution, where `/file` can be had.
          */
         get: operations["modelRig"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/file": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The file that the model was read from
+         * @description Only of servers that are told so (`--serve-files`), and while the file is what was indexed; otherwise
+         *     `original_not_available`. Of a model within an archive its own file.
+         */
+        get: operations["modelFile"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/models/{id}/mesh.stl": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        /**
+         * The model as binary STL
+         * @description All triangles of its file, see `/file`.
+         */
+        get: operations["modelStl"];
         put?: never;
         post?: never;
         delete?: never;
@@ -202,7 +426,10 @@ export interface paths {
             };
             cookie?: never;
         };
-        /** A picture of the model */
+        /**
+         * A picture of the model
+         * @description Under the address of the model's `links`, which has its version, caches may keep it for ever.
+         */
         get: operations["modelThumbnail"];
         put?: never;
         post?: never;
@@ -436,6 +663,12 @@ export interface components {
     schemas: {
         /** Format: int64 */
         Id: number;
+        Token: string;
+        /**
+         * @description Below the folder that was indexed; empty for a model that was uploaded.
+         * @example animals/elephant.off
+         */
+        Path: string;
         /** @enum {string} */
         Ranker: "hybrid" | "skeleton" | "chain-code";
         Vector: [
@@ -459,8 +692,7 @@ export interface components {
             name: string;
             /** @example fourleg */
             class: string | null;
-            /** @description As it was indexed. */
-            path: string;
+            path: components["schemas"]["Path"];
             content_hash: string;
             vertices: number;
             /** @description Polygons in the file. */
@@ -491,8 +723,41 @@ export interface components {
             links: {
                 mesh: string;
                 skeleton: string;
+                segments: string;
+                rig: string;
                 similar: string;
                 thumbnail: string;
+                /** @description Where the server gives the files themselves. */
+                file?: string;
+                /** @description Likewise. */
+                stl?: string;
+            };
+        };
+        FacetValues: {
+            /** @description Null for models without one. */
+            value: string | null;
+            models: number;
+        }[];
+        Facets: {
+            classes: components["schemas"]["FacetValues"];
+            folders: components["schemas"]["FacetValues"];
+            kinds: components["schemas"]["FacetValues"];
+            revision: number;
+        };
+        Query: {
+            token: components["schemas"]["Token"];
+            name: string;
+            vertices: number;
+            faces: number;
+            bounds: components["schemas"]["Bounds"];
+            warnings: components["schemas"]["Warning"][];
+            links: {
+                similar: string;
+                mesh: string;
+                skeleton: string;
+                segments: string;
+                rig: string;
+                stl: string;
             };
         };
         ModelPage: {
@@ -601,6 +866,15 @@ export interface components {
             id: components["schemas"]["Id"];
             name: string;
             class: string | null;
+            path: components["schemas"]["Path"];
+            /** @description Polygons in the file. */
+            faces: number;
+            /** @description Of its bounds, in model units. */
+            extent: components["schemas"]["Vector"];
+            /** @description How many models of the collection are copies of it. */
+            copies: number;
+            /** @description Where its picture is. */
+            thumbnail: string;
             distance: number;
             parts: components["schemas"]["Parts"];
             build_difference: components["schemas"]["BuildDifference"];
@@ -641,6 +915,8 @@ export interface components {
                 /** @description With `include=mesh` only. */
                 mesh?: components["schemas"]["Mesh"];
             };
+            /** @description Of an upload, where it is kept; null where it is not. */
+            token?: string | null;
             hits: components["schemas"]["Hit"][];
         };
         Comparison: {
@@ -750,7 +1026,7 @@ export interface components {
          * @description Stable; new ones may be added.
          * @enum {string}
          */
-        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "archive_invalid" | "archive_member" | "archive_several" | "archive_empty" | "object_missing" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
+        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "archive_invalid" | "archive_member" | "archive_several" | "archive_empty" | "object_missing" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "query_not_found" | "original_not_available" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
     };
     responses: {
         /** @description What `If-None-Match` names is still true. */
@@ -894,6 +1170,16 @@ export interface components {
         Size: number;
         /** @description Only models of this class. */
         Class: string;
+        /** @description Only models whose name contains this text; ASCII letters match in either case. */
+        NameContains: string;
+        /** @description Only models whose `path` lies in this folder or further down. */
+        Folder: string;
+        /** @description Only models of files with this ending, in small letters. */
+        Kind: string;
+        /** @description The `token` of a search's answer. */
+        QueryToken: components["schemas"]["Token"];
+        /** @description `full` for the model at its own resolution instead of its preview's. */
+        Detail: "full";
         /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
         Name: string;
         /** @description Whether to re-rank by what the models of the collection have in common with each other. */
@@ -911,6 +1197,11 @@ export interface components {
         Threshold: number;
         /** @description Of a volume: this value alone is the model. A label that no voxel has is refused (`solid_empty`). */
         Label: number;
+        /**
+         * @description Whether of models that are copies of each other the nearest alone is a hit; its `copies` says how many there
+         *     are besides. Copies have meshes that measure the same to the last bit.
+         */
+        Fold: boolean;
     };
     requestBodies: {
         /** @description A model file with a `Content-Length`. Chunked and compressed bodies are refused (411, 415). */
@@ -945,11 +1236,16 @@ export interface components {
     pathItems: never;
 }
 export type Id = components['schemas']['Id'];
+export type Token = components['schemas']['Token'];
+export type Path = components['schemas']['Path'];
 export type Ranker = components['schemas']['Ranker'];
 export type Vector = components['schemas']['Vector'];
 export type Bounds = components['schemas']['Bounds'];
 export type Warning = components['schemas']['Warning'];
 export type Model = components['schemas']['Model'];
+export type FacetValues = components['schemas']['FacetValues'];
+export type Facets = components['schemas']['Facets'];
+export type Query = components['schemas']['Query'];
 export type ModelPage = components['schemas']['ModelPage'];
 export type Unit = components['schemas']['Unit'];
 export type MetresPerUnit = components['schemas']['MetresPerUnit'];
@@ -990,11 +1286,17 @@ export type ParameterRankerInPath = components['parameters']['RankerInPath'];
 export type ParameterPose = components['parameters']['Pose'];
 export type ParameterSize = components['parameters']['Size'];
 export type ParameterClass = components['parameters']['Class'];
+export type ParameterNameContains = components['parameters']['NameContains'];
+export type ParameterFolder = components['parameters']['Folder'];
+export type ParameterKind = components['parameters']['Kind'];
+export type ParameterQueryToken = components['parameters']['QueryToken'];
+export type ParameterDetail = components['parameters']['Detail'];
 export type ParameterName = components['parameters']['Name'];
 export type ParameterRerank = components['parameters']['Rerank'];
 export type ParameterPart = components['parameters']['Part'];
 export type ParameterThreshold = components['parameters']['Threshold'];
 export type ParameterLabel = components['parameters']['Label'];
+export type ParameterFold = components['parameters']['Fold'];
 export type RequestBodyModel = components['requestBodies']['Model'];
 export type HeaderRequestId = components['headers']['RequestId'];
 export type HeaderETag = components['headers']['ETag'];
@@ -1028,6 +1330,11 @@ export interface operations {
                 threshold?: components["parameters"]["Threshold"];
                 /** @description Of a volume: this value alone is the model. A label that no voxel has is refused (`solid_empty`). */
                 label?: components["parameters"]["Label"];
+                /**
+                 * @description Whether of models that are copies of each other the nearest alone is a hit; its `copies` says how many there
+                 *     are besides. Copies have meshes that measure the same to the last bit.
+                 */
+                fold?: components["parameters"]["Fold"];
                 /** @description `mesh` adds a preview mesh of the query to the answer. */
                 include?: "mesh";
                 /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
@@ -1059,20 +1366,292 @@ export interface operations {
             503: components["responses"]["Unavailable"];
         };
     };
+    getQuery: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The query. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Query"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    similarToQuery: {
+        parameters: {
+            query?: {
+                /** @description The most hits to answer with. */
+                limit?: components["parameters"]["Limit"];
+                /** @description How distances are measured. */
+                ranker?: components["parameters"]["Ranker"];
+                /** @description From 0 (how a model is built alone, whatever its limbs do) to 1 (how it stands alone, whatever it is). The default tells kinds apart best. `chain-code` and parts take no notice of it. */
+                pose?: components["parameters"]["Pose"];
+                /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
+                size?: components["parameters"]["Size"];
+                /** @description Only models of this class. */
+                class?: components["parameters"]["Class"];
+                /** @description Whether to re-rank by what the models of the collection have in common with each other. */
+                rerank?: components["parameters"]["Rerank"];
+                /**
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
+                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
+                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 */
+                part?: components["parameters"]["Part"];
+                /**
+                 * @description Whether of models that are copies of each other the nearest alone is a hit; its `copies` says how many there
+                 *     are besides. Copies have meshes that measure the same to the last bit.
+                 */
+                fold?: components["parameters"]["Fold"];
+            };
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The ranked list, best first. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["SearchResult"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    queryMesh: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mesh. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Mesh"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    querySkeleton: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The skeleton. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Skeleton"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    querySegments: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The parts, by descending area. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Segments"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    queryRig: {
+        parameters: {
+            query?: {
+                /** @description `full` for the model at its own resolution instead of its preview's. */
+                detail?: components["parameters"]["Detail"];
+            };
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The rigged model. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/gltf-binary": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    queryStl: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The `token` of a search's answer. */
+                token: components["parameters"]["QueryToken"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mesh. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/stl": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+        };
+    };
+    listFacets: {
+        parameters: {
+            query?: {
+                /** @description Only models of this class. */
+                class?: components["parameters"]["Class"];
+                /** @description Only models whose name contains this text; ASCII letters match in either case. */
+                name?: components["parameters"]["NameContains"];
+                /** @description Only models whose `path` lies in this folder or further down. */
+                folder?: components["parameters"]["Folder"];
+                /** @description Only models of files with this ending, in small letters. */
+                kind?: components["parameters"]["Kind"];
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The counts. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Facets"];
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
     listModels: {
         parameters: {
             query?: {
                 /** @description Models a page. */
                 limit?: number;
                 /**
-                 * @description The `next_cursor` of the page before; opaque, and valid only with the same `class` and
-                 *     `name`. Models added or removed meanwhile neither shift nor repeat entries.
+                 * @description The `next_cursor` of the page before; opaque, and valid only with the same filters, in the order of
+                 *     ids and without `offset`. Models added or removed meanwhile neither shift nor repeat entries.
                  */
                 cursor?: string;
+                /** @description How many models of the list to pass over, to look anywhere into it. */
+                offset?: number;
+                /**
+                 * @description By `id`; by `name` with numbers in it as numbers; or those first that were indexed last (`newest`) or
+                 *     that have the most `faces` or `branches`.
+                 */
+                sort?: "id" | "name" | "newest" | "faces" | "branches";
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
                 /** @description Only models whose name contains this text; ASCII letters match in either case. */
-                name?: string;
+                name?: components["parameters"]["NameContains"];
+                /** @description Only models whose `path` lies in this folder or further down. */
+                folder?: components["parameters"]["Folder"];
+                /** @description Only models of files with this ending, in small letters. */
+                kind?: components["parameters"]["Kind"];
             };
             header?: never;
             path?: never;
@@ -1251,6 +1830,11 @@ export interface operations {
                  *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
                  */
                 part?: components["parameters"]["Part"];
+                /**
+                 * @description Whether of models that are copies of each other the nearest alone is a hit; its `copies` says how many there
+                 *     are besides. Copies have meshes that measure the same to the last bit.
+                 */
+                fold?: components["parameters"]["Fold"];
             };
             header?: never;
             path: {
@@ -1365,7 +1949,10 @@ export interface operations {
     };
     modelRig: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description `full` for the model at its own resolution instead of its preview's. */
+                detail?: components["parameters"]["Detail"];
+            };
             header?: never;
             path: {
                 /** @description The model's id. */
@@ -1392,9 +1979,70 @@ export interface operations {
             503: components["responses"]["Unavailable"];
         };
     };
-    modelThumbnail: {
+    modelFile: {
         parameters: {
             query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The file. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/octet-stream": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    modelStl: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description The model's id. */
+                id: components["parameters"]["ModelId"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The mesh. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    ETag: components["headers"]["ETag"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "model/stl": unknown;
+                };
+            };
+            304: components["responses"]["NotModified"];
+            400: components["responses"]["BadRequest"];
+            404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    modelThumbnail: {
+        parameters: {
+            query?: {
+                /** @description The version. */
+                v?: string;
+            };
             header?: never;
             path: {
                 /** @description The model's id. */

@@ -1,43 +1,19 @@
-import { element, replace } from '../page/element';
 import type { KnownClasses } from '../page/known_classes';
+import { facetField } from './facet_field';
 
 export interface ClassField {
     node: HTMLElement;
-    input: HTMLInputElement;
+    select: HTMLSelectElement;
     dispose(): void;
 }
 
-let fields = 0;
-
-/** A text field, because the classes are not known in full; those seen so far are suggested. */
+/** A choice among the classes of the collection. */
 export function classField(value: string, classes: KnownClasses): ClassField {
-    fields += 1;
-    const list = element('datalist', { id: `classes-${fields}` });
-    const input = element('input', {
-        type: 'text',
-        class: 'input',
-        name: 'class',
-        value,
-        list: list.id,
-        placeholder: 'All classes',
-        autocomplete: 'off',
-        maxlength: 256,
-    });
-    const suggest = (): void =>
-        replace(
-            list,
-            classes.names.map((name) => element('option', { value: name })),
-        );
-    suggest();
+    const field = facetField('Class', 'class', 'All classes');
+    field.show(classes.values, value);
     return {
-        node: element(
-            'label',
-            { class: 'field' },
-            element('span', { class: 'field-label' }, 'Class'),
-            input,
-            list,
-        ),
-        input,
-        dispose: classes.subscribe(suggest),
+        node: field.node,
+        select: field.select,
+        dispose: classes.subscribe(() => field.show(classes.values, field.select.value)),
     };
 }

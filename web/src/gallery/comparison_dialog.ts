@@ -1,10 +1,15 @@
 import type { Client } from '../api/client';
 import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import type { Hit } from '../api/types';
+import { codePart } from '../page/code_part';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
-import { formatRoute, partsOf, resultsOf } from '../page/routes';
+import { formatRoute, resultsOf } from '../page/routes';
 import { partsList } from './parts_list';
+import type { Nearness } from './nearness';
+import { placeLine } from './place_line';
+import { takeAway } from './take_away';
+import { whyLine } from './why_line';
 import { type ViewerDialog, viewerDialog } from './viewer_dialog';
 
 export interface ComparisonOptions {
@@ -12,49 +17,73 @@ export interface ComparisonOptions {
     queryMesh: PreviewMesh | null;
     queryUp: UpAxis;
     hit: Hit;
-    /** The comparison with the hit one rank better; null: there is none. */
-    previousHref: string | null;
-    nextHref: string | null;
+    nearness: Nearness | null;
+    partsHref: string;
+    /** To the hit one rank better; null: there is none. */
+    onPrevious: (() => void) | null;
+    onNext: (() => void) | null;
     onClose: () => void;
 }
 
-function step(href: string | null, label: string, sign: string): HTMLElement {
-    return href === null
-        ? element('span', { class: 'button button-icon button-off', 'aria-hidden': 'true' }, sign)
-        : element('a', { class: 'button button-icon', href, 'aria-label': label }, sign);
+interface Step {
+    id: string;
+    label: string;
+    sign: string;
+}
+
+/** Keeps its place and the focus where there is no further hit. */
+function step(onStep: (() => void) | null, { id, label, sign }: Step): HTMLElement {
+    return element(
+        'button',
+        {
+            type: 'button',
+            id,
+            class: `button button-icon${onStep ? '' : ' button-off'}`,
+            'aria-label': label,
+            'aria-disabled': onStep ? null : 'true',
+            click: () => onStep?.(),
+        },
+        sign,
+    );
 }
 
 /** Query and hit side by side. */
 export function comparisonDialog(options: ComparisonOptions, client: Client): ViewerDialog {
-    const { query, queryMesh, queryUp, hit, previousHref, nextHref, onClose } = options;
+    const { query, queryMesh, queryUp, hit, nearness, partsHref, onPrevious, onNext, onClose } =
+        options;
+    const model = { kind: 'model', id: hit.id } as const;
     return viewerDialog({
+        keys: { ArrowLeft: onPrevious, ArrowRight: onNext },
         title: [
             element('span', {}, query.name),
             element('span', { class: 'versus', 'aria-label': 'and' }, '↔'),
             element('span', {}, hit.name),
             hit.class && element('span', { class: 'tag' }, hit.class),
+            placeLine(hit.path),
         ],
         actions: [
             element(
                 'span',
                 { class: 'distance-figure' },
-                'distance ',
+                nearness && element('b', {}, nearness),
+                nearness ? ' · distance ' : 'distance ',
                 element('b', { class: 'number' }, formatDistance(hit.distance)),
             ),
             element(
                 'a',
-                { class: 'button', href: formatRoute(resultsOf({ kind: 'model', id: hit.id })) },
+                { class: 'button', href: formatRoute(resultsOf(model)) },
                 'Find more like it',
             ),
-            element('a', { class: 'button', href: formatRoute(partsOf(hit.id)) }, 'Its parts'),
-            step(previousHref, 'Better hit', '←'),
-            step(nextHref, 'Next hit', '→'),
+            element('a', { class: 'button', href: partsHref }, 'Its parts'),
+            takeAway({ model, name: hit.name, path: hit.path }, client),
+            step(onPrevious, { id: 'better-hit', label: 'Better hit', sign: '←' }),
+            step(onNext, { id: 'next-hit', label: 'Next hit', sign: '→' }),
         ],
         async load(signal) {
             const [{ comparison }, mesh, skeleton, { up, unit }] = await Promise.all([
-                import('../viewer/comparison'),
-                client.mesh(hit.id, signal),
-                client.skeleton(hit.id, signal),
+                codePart(() => import('../viewer/comparison')),
+                client.mesh(model, signal),
+                client.skeleton(model, signal),
                 client.model(hit.id, signal),
             ]);
             return comparison({
@@ -67,7 +96,12 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
                 },
                 hit: { name: hit.name, mesh, skeleton, up, unit },
                 match: hit.match,
-                note: partsList(hit.parts),
+                note: element(
+                    'div',
+                    { class: 'note' },
+                    whyLine(hit, query.skeleton, nearness),
+                    partsList(hit.parts),
+                ),
             });
         },
         onClose,

@@ -1,22 +1,8 @@
-import { append, element, svg } from '../page/element';
+import { element, svg } from '../page/element';
+import { fileChooser } from './file_chooser';
 
-export interface DropZoneOptions {
-    onFile: (file: File) => void;
-    /** Said below the headline. */
-    hint: string;
-}
-
-const kDefaults: DropZoneOptions = {
-    onFile: () => {},
-    hint: 'OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX, STEP …, points (XYZ) or a volume, packed or not. Nothing is stored.',
-};
-
-export interface DropZone {
-    node: HTMLElement;
-    /** While true, nothing can be dropped or chosen. */
-    busy: boolean;
-    dispose(): void;
-}
+const kHint =
+    'OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX, STEP …, points (XYZ) or a volume, packed or not; several at once, or a folder. Nothing is stored on a disk.';
 
 function picture(): SVGElement {
     return svg(
@@ -41,96 +27,19 @@ function picture(): SVGElement {
     );
 }
 
-function holdsFiles(event: DragEvent): boolean {
-    return event.dataTransfer?.types.includes('Files') ?? false;
-}
-
-/**
- * Takes one file by dropping it anywhere on the page, or by the button inside. The first of several
- * files is taken.
- */
-export function dropZone(options: Partial<DropZoneOptions> = {}): DropZone {
-    const { onFile, hint } = { ...kDefaults, ...options };
-    const input = element('input', {
-        type: 'file',
-        class: 'visually-hidden',
-        id: 'model-file',
-        accept: '.off,.coff,.noff,.stoff,.stl,.obj,.ply,.xyz,.pts,.asc,.3mf,.gltf,.glb,.dae,.x3d,.amf,.fbx,.step,.stp,.iges,.igs,.nrrd,.nii,.binvox,.npy,.gz,.zip,model/*,text/plain',
-        'aria-label': 'Model file',
-        tabindex: -1,
+/** Says that files can be dropped, and asks for some; drops are taken wherever they fall. */
+export function dropZone(onFiles: (files: File[]) => void): HTMLElement {
+    const chooser = fileChooser({
+        label: 'Choose a model',
+        className: 'button-primary',
+        onFiles,
     });
-    const button = element('button', { type: 'button', class: 'button button-primary' });
-    append(button, 'Choose a model');
-    const node = element(
+    return element(
         'div',
         { class: 'drop-zone' },
         picture(),
         element('p', { class: 'drop-title' }, 'Drop a 3D model here'),
-        button,
-        element('p', { class: 'fine' }, hint),
-        input,
+        chooser.node,
+        element('p', { class: 'fine' }, kHint),
     );
-
-    let busy = false;
-    const take = (files: FileList | null | undefined): void => {
-        const file = files?.[0];
-        if (file && !busy) {
-            onFile(file);
-        }
-    };
-    button.addEventListener('click', () => input.click());
-    input.addEventListener('change', () => {
-        take(input.files);
-        // The same file may be chosen again, after it has been mended.
-        input.value = '';
-    });
-
-    const undo = new AbortController();
-    const { signal } = undo;
-    const highlight = (on: boolean): void => {
-        node.classList.toggle('drop-zone-over', on && !busy);
-    };
-    addEventListener(
-        'dragover',
-        (event) => {
-            if (holdsFiles(event)) {
-                event.preventDefault();
-                highlight(true);
-            }
-        },
-        { signal },
-    );
-    addEventListener(
-        'dragleave',
-        (event) => {
-            if (event.relatedTarget === null) {
-                highlight(false);
-            }
-        },
-        { signal },
-    );
-    addEventListener(
-        'drop',
-        (event) => {
-            highlight(false);
-            if (holdsFiles(event)) {
-                event.preventDefault();
-                take(event.dataTransfer?.files);
-            }
-        },
-        { signal },
-    );
-    return {
-        node,
-        get busy() {
-            return busy;
-        },
-        set busy(value) {
-            busy = value;
-            button.disabled = value;
-            input.disabled = value;
-            node.classList.toggle('drop-zone-busy', value);
-        },
-        dispose: () => undo.abort(),
-    };
 }

@@ -1,8 +1,10 @@
 import type { Hit } from '../api/types';
 import { element } from '../page/element';
-import { formatDistance } from '../page/format';
+import { formatCount, formatDistance, formatPlural } from '../page/format';
 import { differenceBars, type LikeHit, likeHitLinks } from './build_and_pose';
 import { partsBar } from './distance_parts';
+import { kNearnessMeanings, kUsualDistance, type Nearness } from './nearness';
+import { placeLine } from './place_line';
 import { thumbnail } from './thumbnail';
 
 export interface HitCardOptions {
@@ -11,12 +13,24 @@ export interface HitCardOptions {
     /** Where searches from the hit itself are. */
     like: LikeHit;
     partNames: readonly string[];
-    /** The distance that fills the bar. */
-    longest: number;
+    nearness: Nearness | null;
+}
+
+/** How many models this one stands for. */
+function copiesOf({ copies }: Hit): HTMLElement {
+    return element(
+        'span',
+        {
+            class: 'card-copies',
+            title: `${formatPlural(copies, 'copy', 'copies')} of it in the collection`,
+        },
+        ` ×${formatCount(copies + 1)}`,
+    );
 }
 
 export function hitCard(hit: Hit, options: HitCardOptions): HTMLElement {
-    const length = options.longest > 0 ? hit.distance / options.longest : 0;
+    const { nearness } = options;
+    const figure = formatDistance(hit.distance);
     return element(
         'li',
         { class: 'card hit-card' },
@@ -29,20 +43,26 @@ export function hitCard(hit: Hit, options: HitCardOptions): HTMLElement {
                 element('span', { class: 'visually-hidden' }, 'Rank '),
                 hit.rank,
             ),
-            thumbnail(hit.id),
-            element('span', { class: 'card-name' }, hit.name),
+            thumbnail(hit.thumbnail),
+            element('span', { class: 'card-name' }, hit.name, hit.copies > 0 && copiesOf(hit)),
+            placeLine(hit.path),
             element(
                 'span',
                 { class: 'card-line' },
                 hit.class ? element('span', { class: 'tag' }, hit.class) : element('span', {}),
                 element(
                     'span',
-                    { class: 'number', title: 'Distance' },
+                    {
+                        class: 'number',
+                        title: nearness
+                            ? `Distance ${figure}. ${kNearnessMeanings[nearness]}`
+                            : 'Distance',
+                    },
                     element('span', { class: 'visually-hidden' }, 'Distance '),
-                    formatDistance(hit.distance),
+                    nearness ?? figure,
                 ),
             ),
-            partsBar(hit.parts, options.partNames, length),
+            partsBar(hit.parts, options.partNames, hit.distance / kUsualDistance),
             differenceBars(hit),
         ),
         likeHitLinks(hit, options.like),

@@ -1,48 +1,19 @@
-import { isAbort } from '../api/problem';
 import type { Context, Page } from '../page/context';
-import { element, replace } from '../page/element';
-import { formatBytes, formatPlural } from '../page/format';
-import { problemNotice } from '../page/problem_notice';
-import { type Route, resultsOf } from '../page/routes';
+import { element } from '../page/element';
+import type { HomeRoute } from '../page/routes';
 import { collection } from './collection';
 import { dropZone } from './drop_zone';
-import { progress } from './progress';
 import { searchForm } from './search_form';
 
 /** Where one starts: drop a model, or pick one of the collection. */
-export function homePage(route: Extract<Route, { page: 'home' }>, context: Context): Page {
-    let running = new AbortController();
-    const message = element('div', { class: 'home-message' });
-    const zone = dropZone({ onFile: (file) => void search(file) });
-    const form = searchForm(context.classes);
+export function homePage(route: HomeRoute, context: Context): Page {
+    const form = searchForm(context.classes, {
+        parameters: context.parameters,
+        onChange: (parameters) => {
+            context.parameters = parameters;
+        },
+    });
     const models = collection(route, context);
-
-    async function search(file: File): Promise<void> {
-        const { parameters } = form;
-        running = new AbortController();
-        const bar = progress({
-            message: `Searching with ${file.name} (${formatBytes(file.size)})`,
-            onCancel: () => running.abort(),
-        });
-        replace(message, bar.node);
-        zone.busy = true;
-        context.announce(`Searching with ${file.name}`);
-        try {
-            const result = await context.client.search(file, parameters, running.signal);
-            context.upload = { file, parameters, result };
-            context.announce(`${formatPlural(result.hits.length, 'hit')} for ${file.name}`);
-            context.navigate(resultsOf({ kind: 'upload' }, parameters));
-        } catch (error) {
-            message.replaceChildren();
-            if (!isAbort(error)) {
-                replace(message, problemNotice(error));
-            }
-        } finally {
-            bar.dispose();
-            zone.busy = false;
-        }
-    }
-
     return {
         node: element(
             'div',
@@ -66,11 +37,16 @@ export function homePage(route: Extract<Route, { page: 'home' }>, context: Conte
                         form.node,
                     ),
                 ),
-                element('div', { class: 'hero-drop' }, zone.node, message),
+                element(
+                    'div',
+                    { class: 'hero-drop' },
+                    dropZone((files) => context.uploads.take(files, context.parameters)),
+                ),
             ),
             models.node,
         ),
         title: 'Search',
+        ready: models.ready,
         update(next) {
             if (next.page !== 'home') {
                 return false;
@@ -79,8 +55,6 @@ export function homePage(route: Extract<Route, { page: 'home' }>, context: Conte
             return true;
         },
         dispose() {
-            running.abort();
-            zone.dispose();
             form.dispose();
             models.dispose();
         },

@@ -2,12 +2,11 @@ import type { ModelSummary } from '../api/elements';
 import { element } from '../page/element';
 import { formatPlural } from '../page/format';
 import { formatRoute, resultsOf } from '../page/routes';
-import { sharedFileOf } from './shared_file';
+import { placeLine } from './place_line';
 import { thumbnail } from './thumbnail';
 
 /** A model of the collection; leads to what is similar to it. */
 export function modelCard(model: ModelSummary): HTMLElement {
-    const shared = sharedFileOf(model.path);
     return element(
         'li',
         { class: 'card' },
@@ -18,10 +17,9 @@ export function modelCard(model: ModelSummary): HTMLElement {
                 href: formatRoute(resultsOf({ kind: 'model', id: model.id })),
                 title: `Find models like ${model.name}`,
             },
-            thumbnail(model.id),
+            thumbnail(model.links.thumbnail),
             element('span', { class: 'card-name' }, model.name),
-            shared &&
-                element('span', { class: 'fine card-file', title: model.path }, `in ${shared}`),
+            placeLine(model.path) ?? element('span', { class: 'card-file' }),
             element(
                 'span',
                 { class: 'card-line' },

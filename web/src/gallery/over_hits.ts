@@ -1,14 +1,17 @@
-import type { Context } from '../page/context';
-import { resultsOf } from '../page/routes';
+import type { Answer, Context } from '../page/context';
+import { formatRoute, partsOf } from '../page/routes';
 import { comparisonDialog } from './comparison_dialog';
+import { nearnessOf } from './nearness';
 import { partsDialog } from './parts_dialog';
-import { type Answer, hrefOf, type ResultsRoute } from './results_answer';
+import { heldModel, overWith, type ResultsRoute, under } from './results_answer';
 import type { ViewerDialog } from './viewer_dialog';
 
 /** What lies over the hits: the comparison with one of them, or the query's parts. */
 export class OverHits {
     private readonly context_: Context;
     private dialog_: ViewerDialog | null = null;
+    /** Which hit was compared last. */
+    private hit_: number | null = null;
 
     constructor(context: Context) {
         this.context_ = context;
@@ -16,19 +19,21 @@ export class OverHits {
 
     /** As the route says; a hit that is not among the hits leads back to them. */
     show(route: ResultsRoute, answer: Answer | null): void {
+        const focused = this.dialog_ ? document.activeElement?.id : '';
         this.close();
         if (!answer || route.over === null) {
+            this.focusHit();
             return;
         }
-        const back = (): void => this.context_.navigate(resultsOf(route.query, route.parameters));
-        const dialog = this.make(route, answer, back);
+        const dialog = this.make(route, answer, () => this.context_.back(under(route)));
         if (!dialog) {
-            back();
+            this.context_.replace(under(route));
             return;
         }
+        this.hit_ = route.over.kind === 'hit' ? route.over.id : null;
         this.dialog_ = dialog;
         document.body.append(dialog.node);
-        dialog.open();
+        dialog.open(focused ?? '');
     }
 
     close(): void {
@@ -37,29 +42,59 @@ export class OverHits {
         closed?.dispose();
     }
 
+    /** Whoever went from hit to hit comes back at the last one. */
+    private focusHit(): void {
+        if (this.hit_ !== null) {
+            document.querySelector<HTMLElement>(`[data-hit="${this.hit_}"]`)?.focus();
+            this.hit_ = null;
+        }
+    }
+
     private make(route: ResultsRoute, answer: Answer, onClose: () => void): ViewerDialog | null {
         const { client } = this.context_;
         const { query, hits } = answer.result;
         const { over } = route;
         if (over?.kind === 'parts') {
-            return route.query.kind === 'model'
-                ? partsDialog({ id: route.query.id, query, up: answer.up, onClose }, client)
-                : null;
+            const model = heldModel(route);
+            this.context_.entitle(`Parts of ${query.name}`);
+            return (
+                model &&
+                partsDialog(
+                    {
+                        model,
+                        query,
+                        up: answer.up,
+                        posed: over.posed,
+                        onPose: (posed) =>
+                            this.context_.rewrite(overWith(route, { kind: 'parts', posed })),
+                        onClose,
+                    },
+                    client,
+                )
+            );
         }
         const place = hits.findIndex(({ id }) => id === over?.id);
         const hit = hits[place];
         if (!hit) {
             return null;
         }
-        const hrefAt = (at: number): string | null => (hits[at] ? hrefOf(route, hits[at]) : null);
+        this.context_.entitle(`${query.name} ↔ ${hit.name}`);
+        const stepTo = (at: number): (() => void) | null => {
+            const next = hits[at];
+            return next
+                ? () => this.context_.replace(overWith(route, { kind: 'hit', id: next.id }))
+                : null;
+        };
         return comparisonDialog(
             {
                 query,
                 queryMesh: answer.mesh,
                 queryUp: answer.up,
                 hit,
-                previousHref: hrefAt(place - 1),
-                nextHref: hrefAt(place + 1),
+                nearness: nearnessOf(hit.distance, answer.result),
+                partsHref: formatRoute(partsOf({ kind: 'model', id: hit.id }, route.parameters)),
+                onPrevious: stepTo(place - 1),
+                onNext: stepTo(place + 1),
                 onClose,
             },
             client,

@@ -1,18 +1,21 @@
-import type { Client } from '../api/client';
+import type { Client, HeldModel } from '../api/client';
 import type { QueryModel, UpAxis } from '../api/elements';
+import { codePart } from '../page/code_part';
 import { element } from '../page/element';
 import { type ViewerDialog, viewerDialog } from './viewer_dialog';
 
 export interface PartsOptions {
-    id: number;
+    model: HeldModel;
     query: QueryModel;
     up: UpAxis;
+    posed: string;
+    onPose: (posed: string) => void;
     onClose: () => void;
 }
 
-/** A model of the collection, cut into its parts and ready to be posed. */
+/** A model cut into its parts and ready to be posed. */
 export function partsDialog(
-    { id, query, up, onClose }: PartsOptions,
+    { model, query, up, posed, onPose, onClose }: PartsOptions,
     client: Client,
 ): ViewerDialog {
     return viewerDialog({
@@ -20,11 +23,12 @@ export function partsDialog(
         actions: null,
         async load(signal) {
             const [{ partsView }, segments, rig] = await Promise.all([
-                import('../viewer/parts_view'),
-                client.segments(id, signal),
-                client.rig(id, signal),
+                codePart(() => import('../viewer/parts_view')),
+                client.segments(model, signal),
+                client.rig(model, signal),
             ]);
-            return partsView({ name: query.name, skeleton: query.skeleton, segments, rig, up });
+            const { name, skeleton } = query;
+            return partsView({ name, skeleton, segments, rig, up, posed, onPose });
         },
         onClose,
     });

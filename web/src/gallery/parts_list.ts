@@ -7,10 +7,10 @@ export function partsList(parts: Readonly<Record<string, number>>): HTMLElement 
     return element(
         'dl',
         { class: 'parts-list', 'aria-label': 'Parts of the distance' },
-        partShares(parts, partNames([{ parts }])).map(({ name, value, share, index }) =>
+        partShares(parts, partNames([{ parts }])).map(({ name, value, share }) =>
             element(
                 'div',
-                { class: partClass(index), '--share': share.toFixed(4) },
+                { class: partClass(name), '--share': share.toFixed(4) },
                 element('dt', {}, capitalise(formatName(name))),
                 element('dd', { class: 'number' }, formatDistance(value)),
             ),

@@ -1,6 +1,8 @@
 import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
+import { codePart } from '../page/code_part';
 import { element, replace } from '../page/element';
 import { formatCount, formatSize } from '../page/format';
+import { problemNotice } from '../page/problem_notice';
 
 export interface QueryPanelOptions {
     /** Null: the skeleton alone. */
@@ -8,6 +10,8 @@ export interface QueryPanelOptions {
     up: UpAxis;
     /** Where the query's parts are shown; null: nowhere, since the server does not keep it. */
     partsHref: string | null;
+    /** What of it can be saved; null: nothing. */
+    takeAway: HTMLElement | null;
 }
 
 export interface QueryPanel {
@@ -59,21 +63,26 @@ export function queryPanel(): QueryPanel {
     let disposed = false;
     return {
         node: element('section', { class: 'query', 'aria-label': 'The query' }, picture, text),
-        async show(query, { mesh, up, partsHref }) {
+        async show(query, { mesh, up, partsHref, takeAway }) {
             const parts =
                 partsHref !== null &&
                 element('a', { class: 'button', href: partsHref }, 'Parts and pose');
-            replace(text, facts(query, mesh), parts, warnings(query));
-            // three.js is fetched only where something is drawn with it.
-            const { queryView } = await import('../viewer/query_view');
-            if (disposed) {
-                return;
+            replace(text, facts(query, mesh), parts, takeAway, warnings(query));
+            try {
+                // three.js is fetched only where something is drawn with it.
+                const { queryView } = await codePart(() => import('../viewer/query_view'));
+                if (disposed) {
+                    return;
+                }
+                pane?.dispose();
+                const view = queryView({ name: query.name, skeleton: query.skeleton, mesh, up });
+                pane = view;
+                replace(picture, view.node);
+            } catch (error) {
+                replace(picture, problemNotice(error, { retry: () => location.reload() }));
+            } finally {
+                picture.removeAttribute('aria-busy');
             }
-            pane?.dispose();
-            const view = queryView({ name: query.name, skeleton: query.skeleton, mesh, up });
-            pane = view;
-            replace(picture, view.node);
-            picture.removeAttribute('aria-busy');
         },
         dispose() {
             disposed = true;

@@ -1,24 +1,25 @@
 import type { SearchParameters } from '../api/search_parameters';
-import type { Context } from '../page/context';
+import type { Answer, Context } from '../page/context';
 import { element } from '../page/element';
-import { formatRoute, partsOf, type QuerySource, resultsOf } from '../page/routes';
+import { formatRoute, partsOf, resultsOf } from '../page/routes';
 import { queryPanel } from './query_panel';
-import { type Answer, type ResultsRoute, sameParameters } from './results_answer';
+import { heldModel, type ResultsRoute, sameParameters } from './results_answer';
 import { type SearchForm, searchForm } from './search_form';
+import { takeAway } from './take_away';
 
 /** The column beside the hits: the query and how to search for it. */
 export class QuerySide {
     readonly node: HTMLElement;
     private readonly context_: Context;
     private readonly panel_ = queryPanel();
-    private readonly query_: QuerySource;
+    private route_: ResultsRoute;
     private form_: SearchForm;
     private shown_ = false;
 
-    constructor({ query, parameters }: ResultsRoute, context: Context) {
+    constructor(route: ResultsRoute, context: Context) {
         this.context_ = context;
-        this.query_ = query;
-        this.form_ = this.makeForm(parameters);
+        this.route_ = route;
+        this.form_ = this.makeForm(route.parameters);
         this.node = element(
             'aside',
             { class: 'results-side' },
@@ -33,19 +34,24 @@ export class QuerySide {
     }
 
     /** The query stays the same whatever it is asked for: it is shown once. */
-    show({ result, mesh, up }: Answer, parameters: SearchParameters): void {
+    show({ result, mesh, up }: Answer): void {
         if (!this.shown_) {
             this.shown_ = true;
-            const partsHref =
-                this.query_.kind === 'model'
-                    ? formatRoute(partsOf(this.query_.id, parameters))
-                    : null;
-            void this.panel_.show(result.query, { mesh, up, partsHref });
+            const model = heldModel(this.route_);
+            const { name } = result.query;
+            void this.panel_.show(result.query, {
+                mesh,
+                up,
+                partsHref: model && formatRoute(partsOf(model, this.route_.parameters)),
+                takeAway: model && takeAway({ model, name, path: '' }, this.context_.client),
+            });
         }
     }
 
     /** By the browser's way back the form is not what brought the change about. */
-    follow(parameters: SearchParameters): void {
+    follow(route: ResultsRoute): void {
+        this.route_ = route;
+        const { parameters } = route;
         if (!sameParameters(this.form_.parameters, parameters)) {
             this.form_.dispose();
             const made = this.makeForm(parameters);
@@ -62,7 +68,8 @@ export class QuerySide {
     private makeForm(parameters: SearchParameters): SearchForm {
         return searchForm(this.context_.classes, {
             parameters,
-            onChange: (changed) => this.context_.navigate(resultsOf(this.query_, changed)),
+            // Each is a look at the same results: one step back leads away from them.
+            onChange: (changed) => this.context_.replace(resultsOf(this.route_.query, changed)),
         });
     }
 }

@@ -1,5 +1,5 @@
 import { isAbort } from '../api/problem';
-import type { Context, Page } from '../page/context';
+import type { Answer, Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
 import { emptyNotice, problemNotice } from '../page/problem_notice';
@@ -7,21 +7,15 @@ import { formatRoute, kHome, type Route, sameQuery } from '../page/routes';
 import { hitGrid } from './hit_grid';
 import { OverHits } from './over_hits';
 import { QuerySide } from './query_side';
-import {
-    type Answer,
-    ask,
-    hrefOf,
-    likeHit,
-    type ResultsRoute,
-    sameParameters,
-} from './results_answer';
+import { ask, hrefOf, likeHit, type ResultsRoute, sameParameters } from './results_answer';
+import { saveResults } from './save_results';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
 
 function goneNotice(): HTMLElement {
     return emptyNotice(
         'The uploaded model is gone.',
-        'It is kept only until the page is loaded anew. ',
+        'The server keeps an upload for a quarter of an hour after it was last asked for. ',
         element('a', { href: formatRoute(kHome) }, 'Choose a model again'),
     );
 }
@@ -29,6 +23,7 @@ function goneNotice(): HTMLElement {
 class ResultsPage implements Page {
     readonly node: HTMLElement;
     readonly title = 'Results';
+    readonly ready: Promise<void>;
     private readonly context_: Context;
     private readonly side_: QuerySide;
     private readonly over_: OverHits;
@@ -55,7 +50,7 @@ class ResultsPage implements Page {
                 this.body_,
             ),
         );
-        void this.load();
+        this.ready = this.load();
     }
 
     update(next: Route): boolean {
@@ -64,10 +59,11 @@ class ResultsPage implements Page {
         }
         const asked = sameParameters(next.parameters, this.route_.parameters);
         this.route_ = next;
+        this.side_.follow(next);
         if (asked) {
+            this.entitle();
             this.over_.show(next, this.answer_);
         } else {
-            this.side_.follow(next.parameters);
             this.over_.close();
             void this.load();
         }
@@ -85,11 +81,14 @@ class ResultsPage implements Page {
         this.running_ = new AbortController();
         const { signal } = this.running_;
         this.answer_ = null;
+        // What the next file is searched with; what was looked for among these hits is not.
+        this.context_.parameters = { ...this.route_.parameters, className: '', part: false };
         replace(this.body_, element('ul', { class: 'grid' }, skeletonCards(12)));
         this.body_.setAttribute('aria-busy', 'true');
         try {
             const found = await ask(this.route_, this.context_, signal);
             if (found) {
+                this.renew(found);
                 this.show(found);
                 return;
             }
@@ -109,25 +108,44 @@ class ResultsPage implements Page {
         }
     }
 
+    /** An upload that had to be sent again is kept under another token. */
+    private renew({ result: { token } }: Answer): void {
+        const { query } = this.route_;
+        if (query.kind === 'query' && token && token !== query.token) {
+            this.route_ = { ...this.route_, query: { kind: 'query', token } };
+            this.context_.rewrite(this.route_);
+            this.side_.follow(this.route_);
+        }
+    }
+
     private show(answer: Answer): void {
         this.answer_ = answer;
         const { query, hits } = answer.result;
         replace(this.head_, 'Models like ', element('em', {}, query.name));
-        replace(this.timing_, timingLine(answer.result));
-        this.context_.classes.add(hits.map((hit) => hit.class));
+        replace(
+            this.timing_,
+            timingLine(answer.result),
+            hits.length > 0 && saveResults(answer.result),
+        );
         replace(
             this.body_,
             hits.length > 0
-                ? hitGrid(
-                      hits,
-                      (hit) => hrefOf(this.route_, hit),
-                      (hit) => likeHit(this.route_, hit),
-                  )
+                ? hitGrid(answer.result, {
+                      hrefOf: (hit) => hrefOf(this.route_, hit),
+                      likeOf: (hit) => likeHit(this.route_, hit),
+                  })
                 : emptyNotice('No hits.', 'No other model of the collection fits the options.'),
         );
         this.context_.announce(`${formatPlural(hits.length, 'hit')} for ${query.name}`);
-        this.side_.show(answer, this.route_.parameters);
+        this.side_.show(answer);
+        this.entitle();
         this.over_.show(this.route_, answer);
+    }
+
+    private entitle(): void {
+        if (this.answer_) {
+            this.context_.entitle(`Models like ${this.answer_.result.query.name}`);
+        }
     }
 }
 

@@ -77,6 +77,10 @@ function poseField(pose: HTMLInputElement, value: HTMLOutputElement): HTMLElemen
     );
 }
 
+function choice(box: HTMLInputElement, text: string): HTMLElement {
+    return element('label', { class: 'switch' }, box, element('span', {}, text));
+}
+
 /** How to search: everything but the query itself. */
 export function searchForm(
     classes: KnownClasses,
@@ -106,6 +110,8 @@ export function searchForm(
         name: 'rerank',
         checked: parameters.rerank,
     });
+    const part = element('input', { type: 'checkbox', name: 'part', checked: parameters.part });
+    const fold = element('input', { type: 'checkbox', name: 'fold', checked: parameters.fold });
     const size = element('input', {
         type: 'checkbox',
         name: 'size',
@@ -119,18 +125,10 @@ export function searchForm(
         poseField(pose, poseValue),
         className.node,
         field('Hits', limit),
-        element(
-            'label',
-            { class: 'switch' },
-            size,
-            element('span', {}, 'Size counts (models of one unit)'),
-        ),
-        element(
-            'label',
-            { class: 'switch' },
-            rerank,
-            element('span', {}, 'Re-rank by what the collection has in common'),
-        ),
+        choice(part, 'As a part: models that have this somewhere'),
+        choice(size, 'Size counts (models of one unit)'),
+        choice(rerank, 'Re-rank by what the collection has in common'),
+        choice(fold, 'Copies of a model are one hit'),
     );
     const read = (): SearchParameters => ({
         ranker: (rankers.querySelector<HTMLInputElement>('input:checked')?.value ??
@@ -138,8 +136,10 @@ export function searchForm(
         pose: Number(pose.value),
         size: size.checked ? 1 : 0,
         rerank: rerank.checked,
+        part: part.checked,
+        fold: fold.checked,
         limit: Number(limit.value),
-        className: className.input.value.trim(),
+        className: className.select.value,
     });
     pose.addEventListener('input', () => {
         poseValue.textContent = Number(pose.value).toFixed(2);

@@ -1,11 +1,10 @@
-import { thumbnailPath } from '../api/client';
 import { element } from '../page/element';
 
-/** The picture of a model; a quiet placeholder where the server has none. */
-export function thumbnail(id: number): HTMLElement {
+/** The picture of a model, at the address that the server gave; a quiet placeholder without one. */
+export function thumbnail(address: string): HTMLElement {
     // The name stands beside it, so that the picture itself has nothing to add in words.
     const image = element('img', {
-        src: thumbnailPath(id),
+        src: address,
         alt: '',
         loading: 'lazy',
         decoding: 'async',

@@ -2,9 +2,31 @@ import type { SearchResult } from '../api/types';
 import { element } from '../page/element';
 import { formatDuration, formatName, formatPlural } from '../page/format';
 
-/** Stages that took any time, in the order of the pipeline. */
+/** As a model goes through them. */
+const kPipeline = [
+    'read',
+    'voxelize',
+    'distance_transform',
+    'thin',
+    'refine',
+    'surface',
+    'describe_skeleton',
+    'turned_skeletons',
+    'global_descriptors',
+    'signature',
+    'rank',
+    'explain',
+];
+
+/** Stages that took any time, in the order of the pipeline; what is not of it comes last. */
 export function timedStages(stages: Readonly<Record<string, number>>): [string, number][] {
-    return Object.entries(stages).filter(([, time]) => Number.isFinite(time) && time > 0);
+    const place = (stage: string): number => {
+        const at = kPipeline.indexOf(stage);
+        return at < 0 ? kPipeline.length : at;
+    };
+    return Object.entries(stages)
+        .filter(([, time]) => Number.isFinite(time) && time > 0)
+        .sort(([a], [b]) => place(a) - place(b));
 }
 
 /** "380 models ranked in 84 ms", and what the time went to. */

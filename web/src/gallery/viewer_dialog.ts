@@ -14,16 +14,20 @@ export interface ViewerDialogOptions {
     /** Fetches and builds what is shown. */
     load: (signal: AbortSignal) => Promise<DialogView>;
     onClose: () => void;
+    /** What keys do, but where a picture or a field takes them; null: nothing. */
+    keys?: Readonly<Record<string, (() => void) | null>>;
 }
 
 export interface ViewerDialog {
     node: HTMLDialogElement;
-    open(): void;
+    /** @param focused the id of what is to have the focus; the button that closes otherwise */
+    open(focused?: string): void;
     dispose(): void;
 }
 
 /** The window over the hits; Escape and the browser's way back close it. */
-export function viewerDialog({ title, actions, load, onClose }: ViewerDialogOptions): ViewerDialog {
+export function viewerDialog(options: ViewerDialogOptions): ViewerDialog {
+    const { title, actions, load, onClose, keys = {} } = options;
     const running = new AbortController();
     let view: DialogView | null = null;
     const body = element('div', { class: 'dialog-body', 'aria-busy': 'true' });
@@ -67,6 +71,16 @@ export function viewerDialog({ title, actions, load, onClose }: ViewerDialogOpti
         event.preventDefault();
         onClose();
     });
+    node.addEventListener('keydown', (event) => {
+        const press = keys[event.key];
+        const taken = (event.target as Element).closest(
+            'canvas, input, select, textarea, .joint-handle',
+        );
+        if (press && !taken && !event.altKey && !event.ctrlKey && !event.metaKey) {
+            event.preventDefault();
+            press();
+        }
+    });
     // A press on the backdrop arrives at the dialog itself.
     node.addEventListener('click', (event) => {
         if (event.target === node) {
@@ -75,9 +89,10 @@ export function viewerDialog({ title, actions, load, onClose }: ViewerDialogOpti
     });
     return {
         node,
-        open() {
+        open(focused = '') {
             node.showModal();
-            close.focus();
+            const wanted = focused === '' ? null : node.querySelector<HTMLElement>(`#${focused}`);
+            (wanted ?? close).focus();
             void fill();
         },
         dispose() {

@@ -27,7 +27,8 @@ export function logo(): SVGElement {
     );
 }
 
-export function header(): Header {
+/** @param actions what can be done on every page */
+export function header(actions: HTMLElement): Header {
     const links = [
         { page: 'home', label: 'Search', href: formatRoute(kHome) },
         { page: 'reports', label: 'Reports', href: formatRoute({ page: 'reports' }) },
@@ -42,9 +43,14 @@ export function header(): Header {
             element('span', {}, 'Ossuary'),
         ),
         element(
-            'nav',
-            { 'aria-label': 'Pages' },
-            links.map((link) => link.node),
+            'div',
+            { class: 'header-side' },
+            element(
+                'nav',
+                { 'aria-label': 'Pages' },
+                links.map((link) => link.node),
+            ),
+            actions,
         ),
     );
     return {

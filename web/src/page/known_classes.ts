@@ -1,29 +1,44 @@
-/** The classes seen so far, which the class filters suggest. */
-export class KnownClasses {
-    private readonly names_ = new Set<string>();
-    private readonly listeners_ = new Set<() => void>();
+import type { Client } from '../api/client';
+import { kAllModels } from '../api/client';
+import type { Facets } from '../api/types';
 
-    get names(): string[] {
-        return [...this.names_].sort((a, b) => a.localeCompare(b, 'en'));
+export type FacetValues = Facets['classes'];
+
+/** The classes of the collection with their numbers of models, asked for once. */
+export class KnownClasses {
+    private readonly client_: Client;
+    private readonly listeners_ = new Set<() => void>();
+    private values_: FacetValues = [];
+    private asked_ = false;
+
+    constructor(client: Client) {
+        this.client_ = client;
     }
 
-    add(names: Iterable<string | null>): void {
-        const before = this.names_.size;
-        for (const name of names) {
-            if (name) {
-                this.names_.add(name);
-            }
-        }
-        if (this.names_.size > before) {
-            for (const listener of this.listeners_) {
-                listener();
-            }
-        }
+    get values(): FacetValues {
+        return this.values_;
     }
 
     /** Returns what ends the subscription. */
     subscribe(listener: () => void): () => void {
         this.listeners_.add(listener);
+        if (!this.asked_) {
+            this.asked_ = true;
+            void this.ask();
+        }
         return () => this.listeners_.delete(listener);
+    }
+
+    private async ask(): Promise<void> {
+        try {
+            this.values_ = (await this.client_.facets(kAllModels)).classes;
+        } catch {
+            // The next subscriber asks again: without classes one can still search in all.
+            this.asked_ = false;
+            return;
+        }
+        for (const listener of this.listeners_) {
+            listener();
+        }
     }
 }

@@ -8,6 +8,14 @@ export interface NoticeOptions {
 
 const kDefaults: NoticeOptions = { retry: null };
 
+/** Browsers do not ask again for code that they failed to load. */
+function wayOn(code: string, retry: () => void): HTMLElement {
+    const outdated = code === 'page_part';
+    const click = outdated ? () => location.reload() : retry;
+    const label = outdated ? 'Load the page anew' : 'Try again';
+    return element('button', { type: 'button', class: 'button', click }, label);
+}
+
 /** What failed in the words of the problem document, with the code that can be looked up. */
 export function problemNotice(error: unknown, options: Partial<NoticeOptions> = {}): HTMLElement {
     const { retry } = { ...kDefaults, ...options };
@@ -25,7 +33,7 @@ export function problemNotice(error: unknown, options: Partial<NoticeOptions> = 
         ),
         detail !== title && element('p', {}, detail),
         known && error.requestId && element('p', { class: 'fine' }, `Request ${error.requestId}`),
-        retry && element('button', { type: 'button', class: 'button', click: retry }, 'Try again'),
+        retry && wayOn(known ? error.code : '', retry),
     );
 }
 

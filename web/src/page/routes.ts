@@ -1,4 +1,12 @@
 import {
+    encodeFilter,
+    type HeldModel,
+    kAllModels,
+    kModelOrders,
+    type ModelFilter,
+    type ModelOrder,
+} from '../api/client';
+import {
     decodeSearch,
     encodeSearchBriefly,
     kSearchDefaults,
@@ -7,51 +15,77 @@ import {
 
 /**
  * What the page shows, as its address after `#` says it:
- * `#/?name&class` · `#/search` · `#/models/7` · `#/models/7/parts` · `#/models/7/hits/12` ·
- * `#/search/hits/12` · `#/reports`.
+ * `#/?name&class&folder&kind&sort&at` · `#/models/7` · `#/models/7/parts?posed` · `#/models/7/hits/12` ·
+ * `#/q/TOKEN` and `#/search` likewise · `#/reports`.
  */
 export type Route =
-    | { page: 'home'; name: string; className: string }
+    | HomeRoute
     | { page: 'results'; query: QuerySource; parameters: SearchParameters; over: Over }
     | { page: 'reports' }
     | { page: 'missing'; path: string };
 
+export interface HomeRoute {
+    page: 'home';
+    filter: ModelFilter;
+    sort: ModelOrder;
+    /** The first model in sight, from 0. */
+    at: number;
+}
+
 /** What lies over the results: the comparison with a hit, the parts of the query, or nothing. */
-export type Over = { kind: 'hit'; id: number } | { kind: 'parts' } | null;
+export type Over = { kind: 'hit'; id: number } | { kind: 'parts'; posed: string } | null;
 
-/** A model of the collection by its id, or the file that was uploaded last (kept in memory). */
-export type QuerySource = { kind: 'model'; id: number } | { kind: 'upload' };
+/** What the server holds, or the last upload of a server that keeps none (then the page does). */
+export type QuerySource = HeldModel | { kind: 'upload' };
 
-export const kHome: Route = { page: 'home', name: '', className: '' };
+export const kHome: HomeRoute = { page: 'home', filter: kAllModels, sort: 'name', at: 0 };
 
 function parseId(text: string): number | null {
     const id = /^[0-9]{1,15}$/.test(text) ? Number(text) : Number.NaN;
     return Number.isSafeInteger(id) ? id : null;
 }
 
-function parseOver(segments: string[], source: QuerySource): Over {
-    if (segments[0] === 'parts' && segments.length === 1 && source.kind === 'model') {
-        return { kind: 'parts' };
+function parseOver(segments: string[], source: QuerySource, query: URLSearchParams): Over {
+    if (segments[0] === 'parts' && segments.length === 1 && source.kind !== 'upload') {
+        return { kind: 'parts', posed: query.get('posed') ?? '' };
     }
     const id = segments[0] === 'hits' && segments.length === 2 ? parseId(segments[1] ?? '') : null;
     return id === null ? null : { kind: 'hit', id };
 }
 
-function parseResults(segments: string[], query: URLSearchParams): Route | null {
-    let source: QuerySource;
-    let rest: string[];
-    if (segments[0] === 'search') {
-        source = { kind: 'upload' };
-        rest = segments.slice(1);
-    } else {
-        const id = parseId(segments[1] ?? '');
-        if (segments[0] !== 'models' || id === null) {
-            return null;
-        }
-        source = { kind: 'model', id };
-        rest = segments.slice(2);
+function parseSource([kind, name = '']: string[]): QuerySource | null {
+    if (kind === 'search') {
+        return { kind: 'upload' };
     }
-    const over = parseOver(rest, source);
+    if (kind === 'q') {
+        return /^[0-9a-f]{32}$/.test(name) ? { kind: 'query', token: name } : null;
+    }
+    const id = kind === 'models' ? parseId(name) : null;
+    return id === null ? null : { kind: 'model', id };
+}
+
+function parseHome(query: URLSearchParams): HomeRoute {
+    const text = (name: string): string => query.get(name) ?? '';
+    return {
+        page: 'home',
+        filter: {
+            name: text('name'),
+            className: text('class'),
+            folder: text('folder'),
+            kind: text('kind'),
+        },
+        sort: kModelOrders.find((order) => order === query.get('sort')) ?? kHome.sort,
+        at: parseId(text('at')) ?? 0,
+    };
+}
+
+function parseResults(segments: string[], query: URLSearchParams): Route | null {
+    const source = parseSource(segments);
+    if (source === null) {
+        return null;
+    }
+    const rest = segments.slice(source.kind === 'upload' ? 1 : 2);
+    const over = parseOver(rest, source, query);
     if (rest.length > 0 && over === null) {
         return null;
     }
@@ -66,11 +100,7 @@ export function parseRoute(hash: string): Route {
     const query = new URLSearchParams(mark < 0 ? '' : address.slice(mark + 1));
     const segments = path.split('/').filter((segment) => segment !== '');
     if (segments.length === 0) {
-        return {
-            page: 'home',
-            name: query.get('name') ?? '',
-            className: query.get('class') ?? '',
-        };
+        return parseHome(query);
     }
     if (segments.length === 1 && segments[0] === 'reports') {
         return { page: 'reports' };
@@ -80,6 +110,17 @@ export function parseRoute(hash: string): Route {
 
 function withQuery(path: string, query: URLSearchParams): string {
     return query.size > 0 ? `#${path}?${query}` : `#${path}`;
+}
+
+function formatSource(source: QuerySource): string {
+    switch (source.kind) {
+        case 'model':
+            return `/models/${source.id}`;
+        case 'query':
+            return `/q/${source.token}`;
+        case 'upload':
+            return '/search';
+    }
 }
 
 function formatOver(over: Over): string {
@@ -93,18 +134,21 @@ function formatOver(over: Over): string {
 export function formatRoute(route: Route): string {
     switch (route.page) {
         case 'home': {
-            const query = new URLSearchParams();
-            if (route.name !== '') {
-                query.set('name', route.name);
+            const query = encodeFilter(route.filter);
+            if (route.sort !== kHome.sort) {
+                query.set('sort', route.sort);
             }
-            if (route.className !== '') {
-                query.set('class', route.className);
+            if (route.at > 0) {
+                query.set('at', String(route.at));
             }
             return withQuery('/', query);
         }
         case 'results': {
-            const base = route.query.kind === 'upload' ? '/search' : `/models/${route.query.id}`;
-            return withQuery(base + formatOver(route.over), encodeSearchBriefly(route.parameters));
+            const query = encodeSearchBriefly(route.parameters);
+            if (route.over?.kind === 'parts' && route.over.posed !== '') {
+                query.set('posed', route.over.posed);
+            }
+            return withQuery(formatSource(route.query) + formatOver(route.over), query);
         }
         case 'reports':
             return '#/reports';
@@ -122,9 +166,9 @@ export function resultsOf(
 }
 
 export function sameQuery(a: QuerySource, b: QuerySource): boolean {
-    return a.kind === 'model' && b.kind === 'model' ? a.id === b.id : a.kind === b.kind;
+    return formatSource(a) === formatSource(b);
 }
 
-export function partsOf(id: number, parameters: SearchParameters = kSearchDefaults): Route {
-    return resultsOf({ kind: 'model', id }, parameters, { kind: 'parts' });
+export function partsOf(model: HeldModel, parameters: SearchParameters = kSearchDefaults): Route {
+    return resultsOf(model, parameters, { kind: 'parts', posed: '' });
 }

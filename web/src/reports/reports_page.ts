@@ -1,3 +1,4 @@
+import '../styles/reports.css';
 import type { Client } from '../api/client';
 import { kRankers } from '../api/elements';
 import { ApiError, isAbort } from '../api/problem';
@@ -195,7 +196,7 @@ export function reportsPage(context: Context): Page {
         }
         context.announce(`${formatPlural(found.length, 'report')} shown`);
     };
-    void load();
+    const ready = load();
     return {
         node: element(
             'div',
@@ -207,6 +208,7 @@ export function reportsPage(context: Context): Page {
             reports.details,
         ),
         title: 'Reports',
+        ready,
         update: (route) => route.page === 'reports',
         dispose() {
             running.abort();

@@ -1,3 +1,4 @@
+import '../styles/viewer.css';
 import type { Match } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance, formatPlural, formatSize } from '../page/format';

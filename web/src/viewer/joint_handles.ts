@@ -11,6 +11,8 @@ export interface JointHandlesOptions {
     /** By steps to the right and upwards. */
     onStep: (handle: Handle, right: number, up: number) => void;
     onReset: (handle: Handle) => void;
+    /** A drag or a press of a key is over. */
+    onDone: () => void;
 }
 
 const kSteps: Readonly<Record<string, readonly [right: number, up: number]>> = {
@@ -62,7 +64,7 @@ export class JointHandles {
     }
 
     private listen(handle: Handle, button: HTMLButtonElement): void {
-        const { locate, pointOf, onDrag, onStep, onReset } = this.options_;
+        const { locate, pointOf, onDrag, onStep, onReset, onDone } = this.options_;
         // From the pointer to the middle of the handle, so that it does not jump when it is taken.
         let grip: ScreenPoint | null = null;
         button.addEventListener('pointerdown', (event) => {
@@ -82,7 +84,10 @@ export class JointHandles {
         });
         for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
             button.addEventListener(end, () => {
-                grip = null;
+                if (grip) {
+                    grip = null;
+                    onDone();
+                }
             });
         }
         button.addEventListener('keydown', (event) => {
@@ -96,6 +101,7 @@ export class JointHandles {
             } else {
                 onReset(handle);
             }
+            onDone();
         });
     }
 }

@@ -51,7 +51,7 @@ function onKey(source: OrbitSource, event: KeyboardEvent): void {
 }
 
 /**
- * Drag turns, wheel and pinch zoom, arrow keys turn, + and - zoom, Home resets. `source` is asked at
+ * Drag turns, wheel (with Ctrl or the focus where the page scrolls) and pinch zoom, arrow keys turn, + and - zoom, Home resets. `source` is asked at
  * each event, so that a pane can change from its own orbit to a shared one. Returns what undoes it.
  */
 export function attachOrbitInput(target: HTMLElement, source: () => OrbitSource): () => void {
@@ -86,6 +86,11 @@ export function attachOrbitInput(target: HTMLElement, source: () => OrbitSource)
         pointers.delete(event.pointerId);
     };
     const wheel = (event: WheelEvent): void => {
+        // On a page that scrolls the wheel is the page's, until one has taken to the picture.
+        const taken = event.ctrlKey || document.activeElement === target;
+        if (!taken && target.closest('dialog') === null) {
+            return;
+        }
         event.preventDefault();
         const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
         const factor = Math.exp(event.deltaY * pixels * kZoomPerWheelPixel);

@@ -1,3 +1,5 @@
+import '../styles/viewer.css';
+import '../styles/parts.css';
 import type { UpAxis } from '../api/elements';
 import type { Segments, Skeleton } from '../api/types';
 import { type Child, element } from '../page/element';
@@ -19,13 +21,45 @@ export interface PartsInput {
     /** Binary glTF. */
     rig: ArrayBuffer;
     up: UpAxis;
+    /** How it stands at first, as onPose told it; empty: as it was made. */
+    posed: string;
+    /** It was moved. */
+    onPose: (posed: string) => void;
 }
 
-function button(label: string, click: () => void): HTMLElement {
+function button(label: string, click: () => void): HTMLButtonElement {
     return element('button', { type: 'button', class: 'button button-quiet', click }, label);
 }
 
-function controls(pane: RigPane): HTMLElement {
+/** Undo and redo, by buttons and by the keys that undo everywhere. */
+function poseButtons(pane: RigPane): { nodes: HTMLElement[]; show: () => void } {
+    const undo = button('Undo', () => pane.undo());
+    const redo = button('Redo', () => pane.redo());
+    return {
+        nodes: [undo, redo, button('Reset pose', () => pane.resetPose())],
+        show() {
+            undo.disabled = !pane.canUndo;
+            redo.disabled = !pane.canRedo;
+        },
+    };
+}
+
+function listenForUndo(node: HTMLElement, pane: RigPane): void {
+    node.addEventListener('keydown', (event) => {
+        const key = event.key.toLowerCase();
+        if (!(event.ctrlKey || event.metaKey) || (key !== 'z' && key !== 'y')) {
+            return;
+        }
+        event.preventDefault();
+        if (key === 'y' || event.shiftKey) {
+            pane.redo();
+        } else {
+            pane.undo();
+        }
+    });
+}
+
+function controls(pane: RigPane, poses: readonly HTMLElement[]): HTMLElement {
     const shown = { parts: true, joints: true };
     pane.show(shown);
     return element(
@@ -42,7 +76,7 @@ function controls(pane: RigPane): HTMLElement {
         element(
             'span',
             { class: 'viewer-buttons' },
-            pane.jointCount > 0 && button('Reset pose', () => pane.resetPose()),
+            pane.jointCount > 0 && [...poses],
             button('Reset view', () => pane.resetView()),
         ),
     );
@@ -53,7 +87,7 @@ function advice(joints: number): HTMLElement {
         'p',
         { class: 'fine' },
         joints > 0
-            ? 'Drag a joint to move what hangs on it. With the keyboard: Tab to a joint, arrow keys move it, Home puts it back.'
+            ? 'Drag a joint to move what hangs on it. With the keyboard: Tab to a joint, arrow keys move it, Home puts it back, Ctrl+Z undoes. The address has the pose.'
             : 'The skeleton of this model has no branch to turn, so that there is nothing to pose.',
     );
 }
@@ -64,6 +98,7 @@ export async function partsView(input: PartsInput): Promise<View> {
     const colors = partColors(parts);
     const label = element('span', { class: 'pane-label', hidden: true });
     let pane: RigPane | null = null;
+    let poses: ReturnType<typeof poseButtons> | null = null;
     const choose = (part: number | null): void => {
         legend.highlight(part);
         pane?.highlight(part);
@@ -87,24 +122,30 @@ export async function partsView(input: PartsInput): Promise<View> {
             label: `${input.name} by its parts`,
             up: input.up,
             onHover: hovered,
+            posed: input.posed,
+            onPose: (posed) => {
+                poses?.show();
+                input.onPose(posed);
+            },
         });
         pane.node.append(label);
-        stage = [element('div', { class: 'side' }, pane.node), controls(pane)];
+        poses = poseButtons(pane);
+        poses.show();
+        stage = [element('div', { class: 'side' }, pane.node), controls(pane, poses.nodes)];
     }
     const summary = formatPlural(parts.length, 'part');
-    return {
-        node: dialogContent(
-            stage,
-            element(
-                'p',
-                { class: 'match-summary' },
-                pane
-                    ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.`
-                    : `${summary}.`,
-            ),
-            pane && advice(pane.jointCount),
-            legend.node,
+    const node = dialogContent(
+        stage,
+        element(
+            'p',
+            { class: 'match-summary' },
+            pane ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.` : `${summary}.`,
         ),
-        dispose: () => pane?.dispose(),
-    };
+        pane && advice(pane.jointCount),
+        legend.node,
+    );
+    if (pane) {
+        listenForUndo(node, pane);
+    }
+    return { node, dispose: () => pane?.dispose() };
 }

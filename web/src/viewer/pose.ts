@@ -56,12 +56,105 @@ export function reach(
     return front.distanceToSquared(current) <= back.distanceToSquared(current) ? front : back;
 }
 
-/** Turns bones and remembers how they were. */
+type Turns = readonly Quaternion[];
+
+/** Turns are told in so many steps a unit: a tenth of a degree. */
+const kSteps = 1000;
+const kMostSteps = 200;
+
+/** Turns bones, remembers how they were, and takes back what was done to them. */
 export class Pose {
+    private readonly bones_: readonly Bone[];
     private readonly rest_: Map<Bone, Quaternion>;
+    private done_: Turns[] = [];
+    private undone_: Turns[] = [];
+    /** As it was after the last thing that was done. */
+    private now_: Turns;
 
     constructor(bones: readonly Bone[]) {
+        this.bones_ = bones;
+        this.now_ = this.turns;
         this.rest_ = new Map(bones.map((bone) => [bone, bone.quaternion.clone()]));
+    }
+
+    get canUndo(): boolean {
+        return this.done_.length > 0;
+    }
+
+    get canRedo(): boolean {
+        return this.undone_.length > 0;
+    }
+
+    /** What was done since the last call is one step. False where that was nothing. */
+    commit(): boolean {
+        const { turns } = this;
+        if (turns.every((turn, at) => turn.equals(this.now_[at] as Quaternion))) {
+            return false;
+        }
+        this.done_ = [...this.done_, this.now_].slice(-kMostSteps);
+        this.undone_ = [];
+        this.now_ = turns;
+        return true;
+    }
+
+    undo(): void {
+        this.step(this.done_, this.undone_);
+    }
+
+    redo(): void {
+        this.step(this.undone_, this.done_);
+    }
+
+    /** The bones that are turned, for an address: `2.120.-500.0~7.0.0.300`; empty at rest. */
+    get text(): string {
+        return this.bones_
+            .flatMap((bone, at) => {
+                const rest = this.rest_.get(bone);
+                if (!rest || bone.quaternion.angleTo(rest) * kSteps < 1) {
+                    return [];
+                }
+                const { x, y, z, w } = bone.quaternion;
+                // A turn and its negative are the same one.
+                const sign = w < 0 ? -kSteps : kSteps;
+                return [[at, ...[x, y, z].map((part) => Math.round(part * sign))].join('.')];
+            })
+            .join('~');
+    }
+
+    /** Takes any text; what makes no sense turns nothing. */
+    set text(text: string) {
+        this.reset();
+        for (const [, at, ...parts] of text.matchAll(/(\d+)\.(-?\d+)\.(-?\d+)\.(-?\d+)/g)) {
+            const bone = this.bones_[Number(at)];
+            const [x, y, z] = parts.map((part) => Number(part) / kSteps) as [
+                number,
+                number,
+                number,
+            ];
+            const rest = 1 - x * x - y * y - z * z;
+            // Rounding may take it a little beyond 1.
+            if (bone && rest > -0.01) {
+                bone.quaternion.set(x, y, z, Math.sqrt(Math.max(0, rest))).normalize();
+                bone.updateMatrixWorld(true);
+            }
+        }
+        this.now_ = this.turns;
+    }
+
+    private get turns(): Turns {
+        return this.bones_.map((bone) => bone.quaternion.clone());
+    }
+
+    private step(from: Turns[], to: Turns[]): void {
+        const turns = from.pop();
+        if (turns) {
+            to.push(this.now_);
+            this.now_ = turns;
+            for (const [at, bone] of this.bones_.entries()) {
+                bone.quaternion.copy(turns[at] as Quaternion);
+                bone.updateMatrixWorld(true);
+            }
+        }
     }
 
     /** Whether every bone is as it was. */

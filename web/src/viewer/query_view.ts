@@ -1,3 +1,4 @@
+import '../styles/viewer.css';
 import type { PreviewMesh, UpAxis } from '../api/elements';
 import type { Skeleton } from '../api/types';
 import { element } from '../page/element';

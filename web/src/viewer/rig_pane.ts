@@ -22,6 +22,10 @@ export interface RigPaneOptions {
     label: string;
     /** The part under the pointer changed; null: none. */
     onHover: (part: number | null, at: ScreenPoint | null) => void;
+    /** How it stands at first, see Pose; empty: as it was made. */
+    posed: string;
+    /** It stands otherwise, or something else can be taken back. */
+    onPose: (posed: string) => void;
 }
 
 const kRadiansPerStep = Math.PI / 36;
@@ -33,6 +37,7 @@ export class RigPane {
     private readonly pose_: Pose;
     private readonly joints_: JointHandles;
     private readonly undo_: (() => void)[] = [];
+    private readonly onPose_: (posed: string) => void;
     readonly jointCount: number;
 
     constructor(options: RigPaneOptions) {
@@ -45,7 +50,9 @@ export class RigPane {
             beforeDraw: () => this.joints_.place(),
         });
         this.model_ = new RigScene(options, readViewerTheme());
+        this.onPose_ = options.onPose;
         this.pose_ = new Pose(options.rig.bones);
+        this.pose_.text = options.posed;
         this.picture_.stand.add(this.model_.root);
         this.joints_ = new JointHandles({
             handles,
@@ -57,9 +64,11 @@ export class RigPane {
                 this.pose_.reset([handle.pivot]);
                 this.moved();
             },
+            onDone: () => this.done(),
         });
         this.picture_.node.append(this.joints_.node);
         this.listen(options);
+        this.moved();
     }
 
     get node(): HTMLElement {
@@ -81,6 +90,27 @@ export class RigPane {
     resetPose(): void {
         this.pose_.reset();
         this.moved();
+        this.done();
+    }
+
+    get canUndo(): boolean {
+        return this.pose_.canUndo;
+    }
+
+    get canRedo(): boolean {
+        return this.pose_.canRedo;
+    }
+
+    undo(): void {
+        this.pose_.undo();
+        this.moved();
+        this.onPose_(this.pose_.text);
+    }
+
+    redo(): void {
+        this.pose_.redo();
+        this.moved();
+        this.onPose_(this.pose_.text);
     }
 
     resetView(): void {
@@ -111,6 +141,12 @@ export class RigPane {
         const move = new Vector3(right, up, 0).applyQuaternion(this.picture_.camera.quaternion);
         this.pose_.swing(handle, end.addScaledVector(move, length * Math.tan(kRadiansPerStep)));
         this.moved();
+    }
+
+    private done(): void {
+        if (this.pose_.commit()) {
+            this.onPose_(this.pose_.text);
+        }
     }
 
     private moved(): void {

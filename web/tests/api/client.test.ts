@@ -1,6 +1,6 @@
 import { describe, expect, it, vi } from 'vitest';
 
-import { createClient, evaluationPath, thumbnailPath } from '../../src/api/client';
+import { createClient, evaluationPath, kAllModels, pathOf } from '../../src/api/client';
 import { ApiError } from '../../src/api/problem';
 import { kSearchDefaults } from '../../src/api/search_parameters';
 import { searchResult } from '../sample';
@@ -16,6 +16,8 @@ function asked(fetch: ReturnType<typeof answering>): { path: URL; init: RequestI
     const [path, init] = fetch.mock.calls[0] ?? [];
     return { path: new URL(String(path), 'http://server'), init: init ?? {} };
 }
+
+const kSeven = { kind: 'model', id: 7 } as const;
 
 describe('the client', () => {
     it('uploads the file under its own name and asks for its mesh', async () => {
@@ -41,36 +43,43 @@ describe('the client', () => {
     it('sends filters only where they are set', async () => {
         const fetch = answering({ models: [], next_cursor: null, total: 0, revision: 1 });
         const client = createClient({ fetch, base: 'http://other' });
-        await client.models({});
-        expect([...asked(fetch).path.searchParams.keys()]).toEqual(['limit']);
+        const stretch = { sort: 'name', offset: 60, limit: 30 } as const;
+        await client.models(kAllModels, stretch);
+        expect(asked(fetch).path.search).toBe('?sort=name&offset=60&limit=30');
         fetch.mockClear();
-        await client.models({ name: 'a b', className: 'c&d', cursor: 'x=' });
+        const filter = { name: 'a b', className: 'c&d', folder: 'x/y', kind: 'stl' };
+        await client.models(filter, stretch);
         const { path } = asked(fetch);
         expect(path.origin).toBe('http://other');
         expect(path.searchParams.get('name')).toBe('a b');
         expect(path.searchParams.get('class')).toBe('c&d');
-        expect(path.searchParams.get('cursor')).toBe('x=');
+        expect(path.searchParams.get('folder')).toBe('x/y');
+        expect(path.searchParams.get('kind')).toBe('stl');
     });
 
     it('fetches a rig as it is, and reads the problem where there is none', async () => {
         const fetch = answering('glTF');
-        const rig = await createClient({ fetch }).rig(7);
+        const rig = await createClient({ fetch }).rig(kSeven);
         expect(new TextDecoder().decode(rig)).toBe('glTF');
         expect(asked(fetch).path.pathname).toBe('/v1/models/7/rig.glb');
         const problem = { title: 'No decomposition', status: 404, code: 'segments_not_available' };
         const refusing = createClient({ fetch: answering(problem, { status: 404 }) });
-        await expect(refusing.rig(7)).rejects.toMatchObject({ code: 'segments_not_available' });
+        await expect(refusing.rig(kSeven)).rejects.toMatchObject({
+            code: 'segments_not_available',
+        });
     });
 
     it.each([
-        ['model', '/v1/models/7'],
         ['mesh', '/v1/models/7/mesh'],
         ['skeleton', '/v1/models/7/skeleton'],
         ['segments', '/v1/models/7/segments'],
     ] as const)('asks for the %s of a model', async (method, path) => {
         const fetch = answering({});
-        await createClient({ fetch })[method](7);
+        await createClient({ fetch })[method](kSeven);
         expect(asked(fetch).path.pathname).toBe(path);
+        const query = answering({});
+        await createClient({ fetch: query })[method]({ kind: 'query', token: 'abc' });
+        expect(asked(query).path.pathname).toBe(path.replace('models/7', 'queries/abc'));
     });
 
     it('turns a problem document into an ApiError with its code', async () => {
@@ -121,14 +130,14 @@ describe('the client', () => {
     it('passes the signal on', async () => {
         const fetch = answering({});
         const { signal } = new AbortController();
-        await createClient({ fetch }).skeleton(3, signal);
+        await createClient({ fetch }).skeleton(kSeven, signal);
         expect(asked(fetch).init.signal).toBe(signal);
     });
 });
 
 describe('paths of pictures and reports', () => {
     it('follow the interface', () => {
-        expect(thumbnailPath(7)).toBe('/v1/models/7/thumbnail.png');
+        expect(pathOf(kSeven)).toBe('/v1/models/7');
         expect(evaluationPath('chain-code', '.svg')).toBe('/v1/evaluations/chain-code.svg');
         expect(evaluationPath('hybrid')).toBe('/v1/evaluations/hybrid');
     });

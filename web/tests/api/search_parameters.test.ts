@@ -15,7 +15,9 @@ function* variants(): Generator<SearchParameters> {
         for (const pose of [0, 0.15, 0.35, 1]) {
             for (const rerank of [false, true]) {
                 for (const className of ['', 'human', 'a & b=c#d/ü']) {
-                    yield { ranker, pose, size: rerank ? 1 : 0, rerank, limit: 48, className };
+                    const size = rerank ? 1 : 0;
+                    const rest = { part: !rerank, fold: pose < 0.5, limit: 48, className };
+                    yield { ranker, pose, size, rerank, ...rest };
                 }
             }
         }
@@ -30,6 +32,12 @@ describe('search parameters', () => {
                 expect(decodeSearch(new URLSearchParams(text))).toEqual(parameters);
             }
         }
+    });
+
+    it('ask for no re-ranking of parts, which the server would refuse', () => {
+        const query = encodeSearch({ ...kSearchDefaults, rerank: true, part: true });
+        expect(query.get('rerank')).toBe('false');
+        expect(query.get('part')).toBe('true');
     });
 
     it('leave nothing in the address where all are defaults', () => {

@@ -2,25 +2,23 @@ import { expect, it } from 'vitest';
 
 import { classField } from '../../src/gallery/class_field';
 import { KnownClasses } from '../../src/page/known_classes';
+import { clientWith, kNoFacets, settled } from '../sample';
 
-it('suggests the classes seen so far and those seen later', () => {
-    const classes = new KnownClasses();
-    classes.add(['table']);
-    const { node, input, dispose } = classField('chair', classes);
-    const suggested = () => [...node.querySelectorAll('option')].map((option) => option.value);
-    expect(input.value).toBe('chair');
-    expect(suggested()).toEqual(['table']);
-    classes.add(['ant']);
-    expect(suggested()).toEqual(['ant', 'table']);
+it('offers the classes of the collection with their numbers, and keeps the chosen one', async () => {
+    const client = clientWith({
+        facets: async () => ({
+            ...kNoFacets,
+            classes: [
+                { value: null, models: 9 },
+                { value: 'ant', models: 1200 },
+            ],
+        }),
+    });
+    const { node, select, dispose } = classField('chair', new KnownClasses(client));
+    const offered = () => [...node.querySelectorAll('option')].map((option) => option.textContent);
+    expect(offered()).toEqual(['All classes', 'chair']);
+    await settled();
+    expect(offered()).toEqual(['All classes', 'chair', 'ant (1,200)']);
+    expect(select.value).toBe('chair');
     dispose();
-    classes.add(['bird']);
-    expect(suggested()).toEqual(['ant', 'table']);
-});
-
-it('ties each field to a list of its own', () => {
-    const classes = new KnownClasses();
-    const ids = [classField('', classes), classField('', classes)].map(({ input }) =>
-        input.getAttribute('list'),
-    );
-    expect(new Set(ids).size).toBe(2);
 });

@@ -1,64 +1,84 @@
-import { afterEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 
-import type { ModelFilter } from '../../src/api/client';
+import { kAllModels, type ModelFilter, type Stretch } from '../../src/api/client';
 import { unreachable } from '../../src/api/problem';
 import type { ModelPage } from '../../src/api/types';
 import { type Collection, collection } from '../../src/gallery/collection';
-import { contextWith, model, settled } from '../sample';
+import { kHome } from '../../src/page/routes';
+import { contextWith, kNoFacets, model, settled } from '../sample';
 
 let shown: Collection | null = null;
 
+beforeEach(() => {
+    vi.stubGlobal('innerHeight', 100_000);
+});
+
 afterEach(() => {
     vi.useRealTimers();
+    vi.unstubAllGlobals();
     shown?.dispose();
+    shown?.node.remove();
     shown = null;
 });
 
-/** A collection of `count` models that answers three at a time. */
-function paged(count: number) {
-    return vi.fn(async (filter: Partial<ModelFilter>): Promise<ModelPage> => {
-        const start = Number(filter.cursor ?? 0);
-        const end = Math.min(count, start + 3);
-        return {
-            models: Array.from({ length: end - start }, (_, at) => model(start + at + 1)),
-            next_cursor: end < count ? String(end) : null,
+function open(context: ReturnType<typeof contextWith>, route = kHome): Collection {
+    shown = collection(route, context);
+    document.body.append(shown.node);
+    return shown;
+}
+
+function listed(count: number) {
+    return vi.fn(
+        async (_: ModelFilter, { offset, limit }: Stretch): Promise<ModelPage> => ({
+            models: Array.from({ length: Math.max(0, Math.min(limit, count - offset)) }, (_, at) =>
+                model(offset + at + 1),
+            ),
+            next_cursor: null,
             total: count,
             revision: 1,
-        };
-    });
+        }),
+    );
 }
 
 function names(node: HTMLElement): string[] {
     return [...node.querySelectorAll('.card-name')].map((name) => name.textContent ?? '');
 }
 
-function moreButton(node: HTMLElement): HTMLButtonElement | null {
-    return node.querySelector<HTMLButtonElement>('.grid-foot:not([hidden]) button');
-}
-
-it('shows page after page until all models are there, each once', async () => {
-    const context = contextWith({ models: paged(7) });
-    shown = collection({ name: '', className: '' }, context);
-    expect(shown.node.querySelectorAll('.card-loading').length).toBeGreaterThan(0);
+it('shows the models in their order, and says where each is in the whole list', async () => {
+    const { node } = open(contextWith({ models: listed(7) }));
+    expect(node.querySelectorAll('.card-loading').length).toBeGreaterThan(0);
     await settled();
-    expect(names(shown.node)).toEqual(['model1', 'model2', 'model3']);
-    for (let step = 0; step < 2; step++) {
-        moreButton(shown.node)?.click();
-        await settled();
-    }
-    expect(names(shown.node)).toHaveLength(7);
-    expect(new Set(names(shown.node)).size).toBe(7);
-    expect(moreButton(shown.node)).toBeNull();
-    expect(context.classes.names).toEqual(['chair']);
+    expect(names(node)).toEqual([1, 2, 3, 4, 5, 6, 7].map((id) => `model${id}`));
+    const cards = [...node.querySelectorAll('.virtual-grid > li')];
+    expect(cards.map((card) => card.getAttribute('aria-posinset'))).toEqual([...'1234567']);
+    expect(cards[0]?.getAttribute('aria-setsize')).toBe('7');
+    expect(node.querySelectorAll('.card-loading')).toHaveLength(0);
+});
+
+it('has only the cards in sight of a hundred thousand models', async () => {
+    vi.stubGlobal('innerHeight', 800);
+    const models = listed(100_000);
+    const { node } = open(contextWith({ models }));
+    await settled();
+    expect(node.querySelector('.count')?.textContent).toBe('100,000');
+    expect(node.querySelectorAll('.virtual-grid > li').length).toBeLessThan(60);
+    expect(models).toHaveBeenCalledOnce();
+});
+
+it('begins at the place that the address names', async () => {
+    const models = listed(1000);
+    open(contextWith({ models }), { ...kHome, at: 600 });
+    await settled();
+    expect(models.mock.calls[0]?.[1].offset).toBe(600);
 });
 
 it('asks once for the filter that typing ends with, and writes it into the address', async () => {
-    const models = paged(2);
+    const models = listed(2);
     const context = contextWith({ models });
-    shown = collection({ name: '', className: '' }, context);
+    const { node } = open(context);
     await settled();
     vi.useFakeTimers();
-    const input = shown.node.querySelector<HTMLInputElement>('[name=name]');
+    const input = node.querySelector<HTMLInputElement>('[name=name]');
     for (const text of ['h', 'ho', ' hor ']) {
         if (input) {
             input.value = text;
@@ -68,14 +88,42 @@ it('asks once for the filter that typing ends with, and writes it into the addre
     }
     vi.advanceTimersByTime(1000);
     expect(models).toHaveBeenCalledTimes(2);
-    expect(models.mock.calls[1]?.[0]).toMatchObject({ name: 'hor', cursor: null });
-    expect(context.visited).toEqual([{ page: 'home', name: 'hor', className: '' }]);
+    const filter = { ...kAllModels, name: 'hor' };
+    expect(models.mock.calls[1]?.[0]).toEqual(filter);
+    expect(context.visited).toEqual([{ ...kHome, filter }]);
+});
+
+it('offers what there is to choose from, with numbers, and asks by it', async () => {
+    const models = listed(2);
+    const facets = vi.fn(async () => ({
+        ...kNoFacets,
+        classes: [{ value: 'chair', models: 5 }],
+        folders: [{ value: 'old/chairs', models: 2 }],
+        kinds: [
+            { value: 'off', models: 3 },
+            { value: 'stl', models: 4 },
+        ],
+    }));
+    const { node } = open(contextWith({ models, facets }));
+    await settled();
+    const select = node.querySelector<HTMLSelectElement>('[name=folder]');
+    expect([...(select?.options ?? [])].map(({ text }) => text)).toEqual([
+        'All folders',
+        'old/chairs (2)',
+    ]);
+    if (select) {
+        select.value = 'old/chairs';
+        select.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+    await settled();
+    expect(models.mock.calls.at(-1)?.[0]).toEqual({ ...kAllModels, folder: 'old/chairs' });
+    expect(facets).toHaveBeenCalledTimes(2);
 });
 
 it('shows the answer to the last filter even where an earlier one comes later', async () => {
     const answers: ((page: ModelPage) => void)[] = [];
     const context = contextWith({
-        models: (_, signal) =>
+        models: (_filter, _stretch, signal) =>
             new Promise((resolve, reject) => {
                 answers.push(resolve);
                 signal?.addEventListener('abort', () =>
@@ -83,8 +131,8 @@ it('shows the answer to the last filter even where an earlier one comes later', 
                 );
             }),
     });
-    shown = collection({ name: 'a', className: '' }, context);
-    shown.show({ name: 'b', className: '' });
+    const { node, show } = open(context, { ...kHome, filter: { ...kAllModels, name: 'a' } });
+    show.call(shown, { ...kHome, filter: { ...kAllModels, name: 'b' } });
     const page = (id: number) => ({
         models: [model(id)],
         next_cursor: null,
@@ -95,27 +143,27 @@ it('shows the answer to the last filter even where an earlier one comes later', 
     await settled();
     answers[0]?.(page(1));
     await settled();
-    expect(names(shown.node)).toEqual(['model2']);
+    expect(names(node)).toEqual(['model2']);
 });
 
 it('tells an empty collection from filters that nothing fits', async () => {
-    shown = collection({ name: '', className: '' }, contextWith({ models: paged(0) }));
+    const opened = open(contextWith({ models: listed(0) }));
     await settled();
-    expect(shown.node.textContent).toContain('The collection is empty');
-    shown.show({ name: 'zebra', className: '' });
+    expect(opened.node.textContent).toContain('The collection is empty');
+    opened.show({ ...kHome, filter: { ...kAllModels, name: 'zebra' } });
     await settled();
-    expect(shown.node.textContent).toContain('No model fits');
+    expect(opened.node.textContent).toContain('No model fits');
 });
 
 it('shows a problem and asks again on demand', async () => {
-    const models = paged(1);
+    const models = listed(1);
     models.mockRejectedValueOnce(unreachable());
-    shown = collection({ name: '', className: '' }, contextWith({ models }));
+    const { node } = open(contextWith({ models }));
     await settled();
-    expect(shown.node.querySelector('code')?.textContent).toBe('unreachable');
-    expect(shown.node.querySelectorAll('.card-loading')).toHaveLength(0);
-    shown.node.querySelector<HTMLButtonElement>('.notice button')?.click();
+    expect(node.querySelector('.notice-code')?.textContent).toBe('unreachable');
+    expect(node.querySelectorAll('.card-loading')).toHaveLength(0);
+    node.querySelector<HTMLButtonElement>('.notice button')?.click();
     await settled();
-    expect(names(shown.node)).toEqual(['model1']);
-    expect(shown.node.querySelector('.notice')).toBeNull();
+    expect(names(node)).toEqual(['model1']);
+    expect(node.querySelector('.notice')).toBeNull();
 });

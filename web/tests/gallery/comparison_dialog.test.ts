@@ -21,15 +21,17 @@ afterEach(() => {
     dialog = null;
 });
 
-function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn()) {
+function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn(), onNext = vi.fn()) {
     dialog = comparisonDialog(
         {
             query: searchResult().query,
             queryMesh: kMesh,
             queryUp: 'y',
             hit: hit(1),
-            previousHref: null,
-            nextHref: '#/models/7/hits/102',
+            nearness: 'very close',
+            partsHref: '#/models/101/parts',
+            onPrevious: null,
+            onNext,
             onClose,
         },
         clientWith(methods),
@@ -62,6 +64,20 @@ it('closes by its button, by Escape and by a press beside it', () => {
     expect(onClose).toHaveBeenCalledTimes(3);
     node.querySelector('h2')?.dispatchEvent(new MouseEvent('click', { bubbles: true }));
     expect(onClose).toHaveBeenCalledTimes(3);
+});
+
+it('steps to the next hit by its button and by a key, but not from within a picture', () => {
+    const onNext = vi.fn();
+    const node = opened({}, vi.fn(), onNext);
+    const press = (target: Element | null | undefined, key: string) =>
+        target?.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
+    node.querySelector<HTMLButtonElement>('#next-hit')?.click();
+    press(node, 'ArrowRight');
+    expect(onNext).toHaveBeenCalledTimes(2);
+    press(node, 'ArrowLeft');
+    press(node.appendChild(document.createElement('canvas')), 'ArrowRight');
+    expect(onNext).toHaveBeenCalledTimes(2);
+    expect(node.querySelector('#better-hit')?.getAttribute('aria-disabled')).toBe('true');
 });
 
 it('shows the problem where the hit has gone', async () => {

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
 import {
-    kPartColors,
     partClass,
     partNames,
     partShares,
@@ -26,20 +25,20 @@ describe('partShares', () => {
         expect(partShares({})).toEqual([]);
     });
 
-    it('keeps the place of a part whatever order a hit names its parts in', () => {
-        const names = ['skeleton', 'moments', 'radius'];
-        const shares = partShares({ radius: 1, skeleton: 1 }, names);
-        expect(shares.map(({ name, index }) => [name, index])).toEqual([
-            ['skeleton', 0],
-            ['radius', 2],
+    it('keeps one order whatever order a hit names its parts in', () => {
+        const names = ['skeleton', 'views'];
+        const shares = partShares({ views: 1, radius: 3, skeleton: 1 }, names);
+        expect(shares.map(({ name, share }) => [name, share])).toEqual([
+            ['skeleton', 0.2],
+            ['views', 0.2],
         ]);
     });
 });
 
 describe('partNames', () => {
-    it('names each part once, in the order of appearance', () => {
-        const hits = [hit(1, { parts: { b: 1, a: 1 } }), hit(2, { parts: { a: 1, c: 1 } })];
-        expect(partNames(hits)).toEqual(['b', 'a', 'c']);
+    it('names each part once, known ones first', () => {
+        const hits = [hit(1, { parts: { b: 1, views: 1 } }), hit(2, { parts: { a: 1, pose: 1 } })];
+        expect(partNames(hits)).toEqual(['views', 'pose', 'a', 'b']);
     });
 
     it('leaves out what no hit has anything of', () => {
@@ -52,12 +51,17 @@ describe('partNames', () => {
 });
 
 describe('partClass', () => {
-    it('is one of the style sheet’s for any index', () => {
-        for (let index = -1; index < 30; index++) {
-            const color = Number(/^part part-(\d+)$/.exec(partClass(index))?.[1]);
-            expect(color).toBeGreaterThanOrEqual(0);
-            expect(color).toBeLessThan(kPartColors);
+    it('is the same for a part wherever it stands, and another for those beside it', () => {
+        expect(partClass('views')).toBe('part part-4');
+        const rankers = [
+            ['skeleton', 'skeleton_pairs', 'skeleton_layout', 'views', 'surface_pairs'],
+            ['local_volume', 'radial_thickness', 'skeleton', 'build', 'pose', 'size'],
+            ['code', 'length', 'unmatched', 'skeleton_pairs', 'skeleton_layout', 'build', 'pose'],
+        ];
+        for (const names of rankers) {
+            expect(new Set(names.map(partClass)).size).toBe(names.length);
         }
+        expect(partClass('unheard of')).toMatch(/^part part-\d$/);
     });
 });
 

@@ -8,7 +8,7 @@ it('shows rank, name, class and distance and leads to the comparison', () => {
         href: '#/models/7/hits/102',
         like: { build: '#b', pose: '#p' },
         partNames: ['skeleton', 'moments'],
-        longest: 1,
+        nearness: null,
     });
     const link = card.querySelector('a');
     expect(link?.getAttribute('href')).toBe('#/models/7/hits/102');
@@ -18,19 +18,39 @@ it('shows rank, name, class and distance and leads to the comparison', () => {
     expect(link?.textContent).toContain('Distance 0.123');
 });
 
+it('says in a word how near it is, and in a number on demand', () => {
+    const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [] };
+    const card = hitCard(hit(1, { distance: 0.3 }), { ...options, nearness: 'related' });
+    const figure = card.querySelector('.number');
+    expect(figure?.textContent).toBe('Distance related');
+    expect(figure?.getAttribute('title')).toContain('0.300');
+});
+
+it('says how many copies it stands for, and where it lies', () => {
+    const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [] };
+    const card = hitCard(hit(1, { copies: 144 }), { ...options, nearness: null });
+    expect(card.querySelector('.card-copies')?.textContent).toBe(' ×145');
+    expect(card.querySelector('.card-file')?.textContent).toBe('chairs');
+});
+
 it('draws no bar where all distances are zero', () => {
     const card = hitCard(hit(1, { distance: 0, parts: {} }), {
         href: '#',
         like: { build: '#b', pose: '#p' },
         partNames: [],
-        longest: 0,
+        nearness: 'same',
     });
     const bar = card.querySelector<HTMLElement>('.parts-bar');
     expect(bar?.style.getPropertyValue('--length')).toBe('0.0000');
 });
 
 it('shows how far the hit is in build and in pose, and leads to its likes in either', () => {
-    const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [], longest: 1 };
+    const options = {
+        href: '#',
+        like: { build: '#b', pose: '#p' },
+        partNames: [],
+        nearness: 'far' as const,
+    };
     const card = hitCard(hit(1, { build_difference: 0.4, pose_difference: 3 }), options);
     const bars = [...card.querySelectorAll<HTMLElement>('.difference-bar')].map((bar) =>
         Number(bar.style.getPropertyValue('--share')),

@@ -1,29 +1,38 @@
 import { expect, it } from 'vitest';
 
 import { hitGrid } from '../../src/gallery/hit_grid';
-import { hit } from '../sample';
+import { hit, searchResult } from '../sample';
 
-it('keeps the order of the hits, and measures the bars against the longest', () => {
-    const hits = [hit(1, { distance: 0.2 }), hit(2, { distance: 0.4 }), hit(3, { distance: 0.8 })];
-    const grid = hitGrid(
-        hits,
-        ({ id }) => `#${id}`,
-        () => ({ build: '#b', pose: '#p' }),
-    );
+const kLinks = {
+    hrefOf: ({ id }: { id: number }) => `#${id}`,
+    likeOf: () => ({ build: '#b', pose: '#p' }),
+};
+
+it('keeps the order of the hits, and measures the bars by one scale in every search', () => {
+    const hits = [hit(1, { distance: 0.2 }), hit(2, { distance: 0.4 }), hit(3, { distance: 8 })];
+    const grid = hitGrid(searchResult(hits), kLinks);
     const links = [...grid.querySelectorAll('a.card-link')];
     expect(links.map((link) => link.getAttribute('href'))).toEqual(['#101', '#102', '#103']);
     const lengths = [...grid.querySelectorAll<HTMLElement>('.parts-bar')].map((bar) =>
         Number(bar.style.getPropertyValue('--length')),
     );
-    expect(lengths).toEqual([0.25, 0.5, 1]);
+    expect(lengths).toEqual([0.2, 0.4, 1]);
+});
+
+it('draws one line before the hits that are far, and none among parts', () => {
+    const hits = [0, 0.1, 2, 3].map((distance, at) => hit(at + 1, { distance }));
+    const rows = [...hitGrid(searchResult(hits), kLinks).querySelectorAll('ol > li')];
+    expect(rows.map((row) => row.className)).toEqual([
+        'card hit-card',
+        'card hit-card',
+        'cut-line',
+        'card hit-card',
+        'card hit-card',
+    ]);
+    const parts = hitGrid({ ...searchResult(hits), part: true }, kLinks);
+    expect(parts.querySelector('.cut-line')).toBeNull();
 });
 
 it('stands without hits', () => {
-    expect(
-        hitGrid(
-            [],
-            () => '#',
-            () => ({ build: '#b', pose: '#p' }),
-        ).querySelectorAll('a'),
-    ).toHaveLength(0);
+    expect(hitGrid(searchResult([]), kLinks).querySelectorAll('a')).toHaveLength(0);
 });

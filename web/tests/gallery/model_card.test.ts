@@ -22,12 +22,13 @@ it('shows no tag for a model without a class', () => {
     expect(modelCard(model(7, { class: null })).querySelector('.tag')).toBeNull();
 });
 
-it('names the file that a model shares with others', () => {
+it('says in which folder a model lies, or in which file with others', () => {
     const lineOf = (path: string) =>
         modelCard({ ...model(7), path }).querySelector('.card-file')?.textContent;
-    expect(lineOf('/models/plate.3mf#left/Wheel')).toBe('in plate.3mf');
-    expect(lineOf('/models/toys.ZIP#car.glb#Wheel')).toBe('in toys.ZIP');
-    expect(lineOf('/models/a#1/b.off')).toBeUndefined();
-    expect(lineOf('/models/plate.3mf')).toBeUndefined();
-    expect(lineOf('')).toBeUndefined();
+    expect(lineOf('chairs/old/leg.off')).toBe('chairs/old');
+    expect(lineOf('prints/plate.3mf#left/Wheel')).toBe('prints/plate.3mf');
+    expect(lineOf('toys.ZIP#car.glb#Wheel')).toBe('toys.ZIP');
+    expect(lineOf('a#1/b.off')).toBe('a#1');
+    expect(lineOf('plate.3mf')).toBe('');
+    expect(lineOf('')).toBe('');
 });

@@ -15,7 +15,14 @@ afterEach(() => {
 
 function opened(methods: Parameters<typeof clientWith>[0]) {
     dialog = partsDialog(
-        { id: 7, query: searchResult().query, up: 'y', onClose: vi.fn() },
+        {
+            model: { kind: 'model', id: 7 },
+            query: searchResult().query,
+            up: 'y',
+            posed: '',
+            onPose: vi.fn(),
+            onClose: vi.fn(),
+        },
         clientWith(methods),
     );
     document.body.append(dialog.node);

@@ -3,10 +3,10 @@ import { expect, it } from 'vitest';
 import { partsList } from '../../src/gallery/parts_list';
 
 it('shows each part with its value and its share', () => {
-    const node = partsList({ skeleton_match: 0.3, moments: 0.1 });
+    const node = partsList({ skeleton_pairs: 0.3, views: 0.1 });
     expect([...node.querySelectorAll('dt')].map((dt) => dt.textContent)).toEqual([
-        'Skeleton match',
-        'Moments',
+        'Skeleton pairs',
+        'Views',
     ]);
     expect([...node.querySelectorAll('dd')].map((dd) => dd.textContent)).toEqual([
         '0.300',

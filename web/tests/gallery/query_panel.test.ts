@@ -10,7 +10,12 @@ it('shows figures and notes, and says plainly where there is no WebGL', async ()
         vertices: 12345,
         warnings: [{ code: 'degenerate_face', count: 3, message: '3 degenerate faces' }],
     };
-    await panel.show(query, { mesh: kMesh, up: 'y', partsHref: '#/models/7/parts' });
+    await panel.show(query, {
+        mesh: kMesh,
+        up: 'y',
+        partsHref: '#/models/7/parts',
+        takeAway: null,
+    });
     expect(panel.node.textContent).toContain('12,345');
     expect(panel.node.textContent).toContain('3 degenerate faces');
     expect(panel.node.querySelector('.no-webgl')).not.toBeNull();
@@ -21,14 +26,19 @@ it('shows figures and notes, and says plainly where there is no WebGL', async ()
 it('says how large the query is, in the unit of its file', async () => {
     const panel = queryPanel();
     const query = { ...searchResult().query, unit: 'mm' };
-    await panel.show(query, { mesh: kMesh, up: 'y', partsHref: null });
+    await panel.show(query, { mesh: kMesh, up: 'y', partsHref: null, takeAway: null });
     expect(panel.node.textContent).toContain('3 × 1 × 1 mm');
     panel.dispose();
 });
 
 it('shows nothing any more after it was taken down', async () => {
     const panel = queryPanel();
-    const shown = panel.show(searchResult().query, { mesh: kMesh, up: 'y', partsHref: null });
+    const shown = panel.show(searchResult().query, {
+        mesh: kMesh,
+        up: 'y',
+        partsHref: null,
+        takeAway: null,
+    });
     panel.dispose();
     await shown;
     expect(panel.node.querySelector('.no-webgl')).toBeNull();

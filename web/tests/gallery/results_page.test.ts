@@ -1,6 +1,7 @@
-import { afterEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
-import { unreachable } from '../../src/api/problem';
+import type { Client } from '../../src/api/client';
+import { ApiError, unreachable } from '../../src/api/problem';
 import { kSearchDefaults } from '../../src/api/search_parameters';
 import { resultsPage } from '../../src/gallery/results_page';
 import type { Page } from '../../src/page/context';
@@ -15,6 +16,10 @@ afterEach(() => {
     page?.dispose();
     page = null;
 });
+
+const kToken = '0123456789abcdef'.repeat(2);
+
+beforeEach(() => sessionStorage.clear());
 
 const kModel = { kind: 'model', id: 7 } as const;
 const route = (hitId: number | null = null, pose = 0.15) =>
@@ -58,12 +63,14 @@ it('opens and closes the comparison without asking again', async () => {
 });
 
 it('leads from a hit to its neighbours in the list', async () => {
-    page = resultsPage(route(102), contextWith(client()));
+    const context = contextWith(client());
+    page = resultsPage(route(102), context);
     await settled();
-    const hrefOf = (label: string) =>
-        document.querySelector(`dialog [aria-label="${label}"]`)?.getAttribute('href');
-    expect(hrefOf('Better hit')).toBe('#/models/7/hits/101');
-    expect(hrefOf('Next hit')).toBe('#/models/7/hits/103');
+    for (const label of ['Better hit', 'Next hit']) {
+        document.querySelector<HTMLButtonElement>(`dialog [aria-label="${label}"]`)?.click();
+    }
+    expect(context.visited).toEqual([route(101), route(103)]);
+    expect(context.titles.at(-1)).toBe('elephant ↔ hit2');
 });
 
 it('goes back to the hits from one that is not among them', async () => {
@@ -90,19 +97,77 @@ it('says that an upload is gone after the page was loaded anew', async () => {
     expect(page.node.textContent).toContain('The uploaded model is gone');
 });
 
-it('shows the answer of an upload at once, and uploads again for other parameters', async () => {
-    const search = vi.fn(async () => searchResult([hit(1)]));
-    const context = contextWith({ search });
-    const file = new File(['OFF'], 'a.off');
-    context.upload = { file, parameters: kSearchDefaults, result: searchResult() };
-    page = resultsPage(resultsOf({ kind: 'upload' }) as ResultsRoute, context);
+describe('an upload', () => {
+    const kOther = { ...kSearchDefaults, ranker: 'skeleton' } as const;
+
+    async function uploaded(token: string | null, methods: Partial<Client> = {}) {
+        const search = vi.fn(async () => ({ ...searchResult(), token }));
+        const context = contextWith({ search, ...methods });
+        context.uploads.take([new File(['OFF'], 'a.off')], kSearchDefaults);
+        await settled();
+        return { search, context };
+    }
+
+    it('that the server keeps is sent once, whatever it is asked for', async () => {
+        const similar = vi.fn(async () => ({ ...searchResult([hit(1)]), token: kToken }));
+        const { search, context } = await uploaded(kToken, { similar, mesh: async () => kMesh });
+        const query = { kind: 'query', token: kToken } as const;
+        page = resultsPage(resultsOf(query) as ResultsRoute, context);
+        await settled();
+        expect(page.node.querySelectorAll('.hit-card')).toHaveLength(2);
+        expect(similar).not.toHaveBeenCalled();
+        page.update(resultsOf(query, kOther));
+        await settled();
+        expect(page.node.querySelectorAll('.hit-card')).toHaveLength(1);
+        expect(search).toHaveBeenCalledOnce();
+        expect(page.node.querySelector('.query-text a')?.getAttribute('href')).toBe(
+            `#/q/${kToken}/parts`,
+        );
+    });
+
+    it('is sent again where the server has forgotten it, under its new token', async () => {
+        const forgotten = new ApiError({
+            title: 'The query is gone',
+            status: 404,
+            detail: '',
+            code: 'query_not_found',
+        });
+        const similar = vi.fn(() => Promise.reject(forgotten));
+        const { search, context } = await uploaded(kToken, { similar, mesh: async () => kMesh });
+        const renewed = 'f'.repeat(32);
+        search.mockResolvedValueOnce({ ...searchResult([hit(1)]), token: renewed });
+        page = resultsPage(
+            resultsOf({ kind: 'query', token: kToken }, kOther) as ResultsRoute,
+            context,
+        );
+        await settled();
+        expect(page.node.querySelectorAll('.hit-card')).toHaveLength(1);
+        expect(context.visited).toEqual([resultsOf({ kind: 'query', token: renewed }, kOther)]);
+    });
+
+    it('that the server does not keep is sent again for other parameters', async () => {
+        const { search, context } = await uploaded(null);
+        page = resultsPage(resultsOf({ kind: 'upload' }) as ResultsRoute, context);
+        await settled();
+        expect(search).toHaveBeenCalledOnce();
+        expect(page.node.querySelectorAll('.hit-card')).toHaveLength(2);
+        search.mockResolvedValueOnce({ ...searchResult([hit(1)]), token: null });
+        page.update(resultsOf({ kind: 'upload' }, kOther));
+        await settled();
+        expect(search).toHaveBeenCalledTimes(2);
+        expect(page.node.querySelectorAll('.hit-card')).toHaveLength(1);
+    });
+});
+
+it('keeps an answer for the way back', async () => {
+    const server = client();
+    const context = contextWith(server);
+    resultsPage(route(), context);
     await settled();
-    expect(search).not.toHaveBeenCalled();
-    expect(page.node.querySelectorAll('.hit-card')).toHaveLength(2);
-    page.update(resultsOf({ kind: 'upload' }, { ...kSearchDefaults, ranker: 'skeleton' }));
+    page = resultsPage(route(), context);
     await settled();
-    expect(search).toHaveBeenCalledOnce();
-    expect(page.node.querySelectorAll('.hit-card')).toHaveLength(1);
+    expect(server.similar).toHaveBeenCalledOnce();
+    expect(page.node.querySelectorAll('.hit-card')).toHaveLength(3);
 });
 
 it('shows a problem and tries again on demand', async () => {

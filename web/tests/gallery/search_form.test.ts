@@ -3,12 +3,15 @@ import { expect, it, vi } from 'vitest';
 import { kSearchDefaults, type SearchParameters } from '../../src/api/search_parameters';
 import { searchForm } from '../../src/gallery/search_form';
 import { KnownClasses } from '../../src/page/known_classes';
+import { clientWith } from '../sample';
 
 const kOther: SearchParameters = {
     ranker: 'chain-code',
     pose: 0.8,
     size: 1,
     rerank: true,
+    part: true,
+    fold: false,
     limit: 96,
     className: 'table',
 };
@@ -16,13 +19,15 @@ const kOther: SearchParameters = {
 it.each([kSearchDefaults, kOther, { ...kSearchDefaults, limit: 7 }])(
     'shows the parameters that it was given: %j',
     (parameters) => {
-        expect(searchForm(new KnownClasses(), { parameters }).parameters).toEqual(parameters);
+        expect(searchForm(new KnownClasses(clientWith({})), { parameters }).parameters).toEqual(
+            parameters,
+        );
     },
 );
 
 it('tells of a choice once it is made', () => {
     const onChange = vi.fn();
-    const { node } = searchForm(new KnownClasses(), { onChange });
+    const { node } = searchForm(new KnownClasses(clientWith({})), { onChange });
     document.body.append(node);
     const pose = node.querySelector<HTMLInputElement>('[name=pose]');
     if (!pose) {
@@ -39,7 +44,7 @@ it('tells of a choice once it is made', () => {
 
 it('does not leave the page on Enter', () => {
     const onChange = vi.fn();
-    const { node } = searchForm(new KnownClasses(), { parameters: kOther, onChange });
+    const { node } = searchForm(new KnownClasses(clientWith({})), { parameters: kOther, onChange });
     const submit = new Event('submit', { cancelable: true });
     node.dispatchEvent(submit);
     expect(submit.defaultPrevented).toBe(true);
@@ -47,7 +52,7 @@ it('does not leave the page on Enter', () => {
 });
 
 it('labels every control', () => {
-    const { node } = searchForm(new KnownClasses());
+    const { node } = searchForm(new KnownClasses(clientWith({})));
     for (const control of node.querySelectorAll('input, select')) {
         expect(control.closest('label')?.textContent?.trim()).toBeTruthy();
     }

@@ -4,7 +4,7 @@ import { header } from '../../src/page/header';
 import { kHome, resultsOf } from '../../src/page/routes';
 
 it('marks the page that is shown, and only that', () => {
-    const { node, show } = header();
+    const { node, show } = header(document.createElement('button'));
     const current = () =>
         [...node.querySelectorAll('nav a[aria-current]')].map((link) => link.textContent);
     show(kHome);

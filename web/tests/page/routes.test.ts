@@ -12,12 +12,22 @@ import {
     sameQuery,
 } from '../../src/page/routes';
 
+const kSeven = { kind: 'model', id: 7 } as const;
+const kQuery = { kind: 'query', token: '0123456789abcdef'.repeat(2) } as const;
+
 function* routes(): Generator<Route> {
     yield kHome;
-    yield { page: 'home', name: 'a b&c', className: 'four/legs #1?' };
+    yield {
+        page: 'home',
+        filter: { name: 'a b&c', className: 'four/legs #1?', folder: 'x/ü', kind: 'stl' },
+        sort: 'faces',
+        at: 120,
+    };
     yield { page: 'reports' };
-    yield partsOf(7);
-    const sources: QuerySource[] = [{ kind: 'upload' }, { kind: 'model', id: 7 }];
+    yield partsOf(kSeven);
+    yield partsOf(kQuery);
+    yield resultsOf(kSeven, kSearchDefaults, { kind: 'parts', posed: '1.20.-30.500~2.0.0.1' });
+    const sources: QuerySource[] = [{ kind: 'upload' }, kSeven, kQuery];
     for (const source of sources) {
         for (const over of [null, { kind: 'hit', id: 12 } as const]) {
             yield resultsOf(source, kSearchDefaults, over);
@@ -28,6 +38,8 @@ function* routes(): Generator<Route> {
                     pose: 0.5,
                     size: 1,
                     rerank: true,
+                    part: false,
+                    fold: false,
                     limit: 96,
                     className: 'ü &=',
                 },
@@ -52,6 +64,10 @@ describe('routes', () => {
         expect(new Set(addresses).size).toBe(addresses.length);
     });
 
+    it('take only a place and an order that make sense', () => {
+        expect(parseRoute('#/?at=-3&sort=beauty')).toEqual(kHome);
+    });
+
     it.each(['', '#', '#/', '/'])('take %j for the start page', (hash) => {
         expect(parseRoute(hash)).toEqual(kHome);
     });
@@ -61,7 +77,8 @@ describe('routes', () => {
         expect(
             formatRoute(resultsOf({ kind: 'upload' }, kSearchDefaults, { kind: 'hit', id: 12 })),
         ).toBe('#/search/hits/12');
-        expect(formatRoute(partsOf(7))).toBe('#/models/7/parts');
+        expect(formatRoute(partsOf(kSeven))).toBe('#/models/7/parts');
+        expect(formatRoute(partsOf(kQuery))).toBe(`#/q/${kQuery.token}/parts`);
         expect(parseRoute('#/reports')).toEqual({ page: 'reports' });
     });
 
@@ -74,6 +91,9 @@ describe('routes', () => {
         '#/models/7/hits',
         '#/models/7/parts/3',
         '#/search/parts',
+        '#/q',
+        '#/q/xyz',
+        `#/q/${'A'.repeat(32)}`,
         '#/models/7/hits/x',
         '#/models/7/hits/3/4',
         '#/models/7/other/3',
@@ -92,5 +112,7 @@ describe('sameQuery', () => {
         expect(sameQuery(seven, { kind: 'model', id: 8 })).toBe(false);
         expect(sameQuery(seven, { kind: 'upload' })).toBe(false);
         expect(sameQuery({ kind: 'upload' }, { kind: 'upload' })).toBe(true);
+        expect(sameQuery(kQuery, { ...kQuery })).toBe(true);
+        expect(sameQuery(kQuery, { kind: 'query', token: '0'.repeat(32) })).toBe(false);
     });
 });

@@ -5,7 +5,7 @@ import { JointHandles } from '../../src/viewer/joint_handles';
 
 function made() {
     const handle = { number: 1, pivot: new Bone(), end: new Bone() };
-    const calls = { onDrag: vi.fn(), onStep: vi.fn(), onReset: vi.fn() };
+    const calls = { onDrag: vi.fn(), onStep: vi.fn(), onReset: vi.fn(), onDone: vi.fn() };
     const joints = new JointHandles({
         handles: [handle],
         locate: () => ({ x: 100, y: 50, depth: 0.5 }),
@@ -31,13 +31,15 @@ it('lies over its joint', () => {
 });
 
 it('drags from where it was taken, and only while it is held', () => {
-    const { handle, point, onDrag } = made();
+    const { handle, point, onDrag, onDone } = made();
     point('pointermove', 90, 60);
     expect(onDrag).not.toHaveBeenCalled();
     point('pointerdown', 103, 52);
     point('pointermove', 113, 72);
     expect(onDrag).toHaveBeenLastCalledWith(handle, { x: 110, y: 70 });
+    expect(onDone).not.toHaveBeenCalled();
     point('pointerup', 113, 72);
+    expect(onDone).toHaveBeenCalledOnce();
     point('pointermove', 0, 0);
     expect(onDrag).toHaveBeenCalledTimes(1);
 });

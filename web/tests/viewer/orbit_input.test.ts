@@ -54,8 +54,23 @@ describe('attachOrbitInput', () => {
         expect(source.orbit.azimuth).toBe(kFirstOrbit.azimuth);
     });
 
-    it('zooms by the wheel and keeps the page from scrolling', () => {
+    it('leaves the wheel to the page until one has taken to the picture', () => {
         const [node, source] = [target(), new OrbitSource()];
+        attachOrbitInput(node, () => source);
+        const wheel = (ctrlKey = false) => {
+            const event = new WheelEvent('wheel', { deltaY: 100, cancelable: true });
+            Object.defineProperty(event, 'ctrlKey', { value: ctrlKey });
+            node.dispatchEvent(event);
+            return event.defaultPrevented;
+        };
+        expect(wheel()).toBe(false);
+        expect(source.orbit).toEqual(kFirstOrbit);
+        expect(wheel(true)).toBe(true);
+    });
+
+    it('zooms by the wheel in a window of its own and keeps the page from scrolling', () => {
+        const [node, source] = [target(), new OrbitSource()];
+        document.createElement('dialog').append(node);
         attachOrbitInput(node, () => source);
         const away = new WheelEvent('wheel', { deltaY: 100, cancelable: true });
         node.dispatchEvent(away);

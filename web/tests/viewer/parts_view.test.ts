@@ -11,6 +11,8 @@ it('keeps its legend where there is no WebGL', async () => {
         segments: kSegments,
         rig: rigFile(),
         up: 'z',
+        posed: '',
+        onPose: () => {},
     });
     expect(view.node.querySelector('.no-webgl')).not.toBeNull();
     expect(view.node.querySelectorAll('.part-legend tbody tr')).toHaveLength(2);

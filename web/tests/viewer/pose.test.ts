@@ -53,6 +53,62 @@ describe('Pose', () => {
     });
 });
 
+describe('what was done to a pose', () => {
+    async function posed() {
+        const { bones } = await loadRig(rigFile());
+        const [shoulder, elbow] = findHandles(bones);
+        if (!shoulder || !elbow) {
+            throw new Error('handles are missing');
+        }
+        return { pose: new Pose(bones), shoulder, elbow };
+    }
+
+    it('is taken back step by step, and done again', async () => {
+        const { pose, shoulder, elbow } = await posed();
+        const tip = () => positionOf(elbow.end).toArray();
+        const places = [tip()];
+        for (const target of [new Vector3(0, 5, 0), new Vector3(0, -5, 1)]) {
+            pose.swing(shoulder, target);
+            expect(pose.commit()).toBe(true);
+            places.push(tip());
+        }
+        expect(pose.commit()).toBe(false);
+        for (const place of [places[1], places[0], places[0]]) {
+            pose.undo();
+            expect(tip()).toEqual(place);
+        }
+        expect(pose.canUndo).toBe(false);
+        for (const place of [places[1], places[2], places[2]]) {
+            pose.redo();
+            expect(tip()).toEqual(place);
+        }
+        pose.undo();
+        pose.reset();
+        pose.commit();
+        expect(pose.canRedo).toBe(false);
+        pose.undo();
+        expect(tip()).toEqual(places[1]);
+    });
+
+    it('can be told, and told again', async () => {
+        const { pose, shoulder, elbow } = await posed();
+        expect(pose.text).toBe('');
+        pose.swing(shoulder, new Vector3(0.3, 1, -0.2));
+        pose.swing(elbow, new Vector3(-3, 1, 2));
+        const tip = positionOf(elbow.end);
+        const { text } = pose;
+        const other = await posed();
+        other.pose.text = text;
+        expect(positionOf(other.elbow.end).distanceTo(tip)).toBeLessThan(0.01);
+        expect(other.pose.text).toBe(text);
+        expect(other.pose.canUndo).toBe(false);
+        for (const odd of ['x', '99.1.1.1', '1.9999.0.0', '1.2', '']) {
+            other.pose.text = odd;
+            expect(other.pose.resting).toBe(true);
+        }
+    });
+});
+
 describe('reach', () => {
     it('keeps the length of the limb, and lies under the pointer where that can be', () => {
         const random = randomNumbers(3);

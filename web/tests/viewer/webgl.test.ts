@@ -1,20 +1,31 @@
-import { afterEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 
-import { hasWebGl } from '../../src/viewer/webgl';
+beforeEach(() => {
+    vi.resetModules();
+});
 
 afterEach(() => {
     vi.restoreAllMocks();
 });
 
-it('asks the browser, and gives the context back', () => {
+async function fresh() {
+    return (await import('../../src/viewer/webgl')).hasWebGl;
+}
+
+it('asks the browser once, and gives the context back', async () => {
+    const hasWebGl = await fresh();
     const loseContext = vi.fn();
     const context = { getExtension: () => ({ loseContext }) };
-    vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue(context as never);
-    expect(hasWebGl()).toBe(true);
+    const asked = vi
+        .spyOn(HTMLCanvasElement.prototype, 'getContext')
+        .mockReturnValue(context as never);
+    expect([hasWebGl(), hasWebGl(), hasWebGl()]).toEqual([true, true, true]);
+    expect(asked).toHaveBeenCalledOnce();
     expect(loseContext).toHaveBeenCalledOnce();
 });
 
-it('takes no for an answer', () => {
+it('takes no for an answer', async () => {
+    const hasWebGl = await fresh();
     vi.spyOn(HTMLCanvasElement.prototype, 'getContext').mockReturnValue(null);
     expect(hasWebGl()).toBe(false);
 });

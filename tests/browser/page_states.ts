@@ -1,0 +1,229 @@
+import { readFileSync } from 'node:fs';
+import { basename } from 'node:path';
+import type { Page } from 'playwright-core';
+
+import { answerWithLongWords, answerWithProblem } from './long_words';
+import { kClasses, kModelsPerClass, type WrittenModels } from './models';
+import { untilDrawn } from './pictures';
+
+const kModels = kClasses.length * kModelsPerClass;
+
+/** A state that a page can be in. */
+export interface State {
+    hash: string;
+    /** Before the page is opened. */
+    prepare?: (page: Page) => Promise<unknown>;
+    /** Until the state is there. */
+    reach: (page: Page) => Promise<void>;
+}
+
+/** Waits until that is there. */
+export const seen =
+    (selector: string) =>
+    (page: Page): Promise<void> =>
+        page.locator(selector).first().waitFor();
+
+async function upload(page: Page, file: string, name = basename(file)): Promise<void> {
+    const buffer = readFileSync(file);
+    await page
+        .locator('.header input[type=file]')
+        .setInputFiles({ name, mimeType: 'text/plain', buffer });
+}
+
+async function openOptions(page: Page): Promise<void> {
+    // Where there is room they are open.
+    const options = page.locator('details.options');
+    if ((await options.getAttribute('open')) === null) {
+        await options.locator('> summary').click();
+    }
+    await page.locator('.search-form').waitFor();
+}
+
+/** Never answers: what is shown meanwhile stays. */
+const silent = (path: string) => async (page: Page) => {
+    await page.route(path, () => {});
+};
+
+/** All of them, by name. */
+export function pageStates(models: WrittenModels): Readonly<Record<string, State>> {
+    return {
+        'the start page': { hash: '#/', reach: seen('.collection .card-link') },
+        'the start page, long names': {
+            hash: '#/',
+            prepare: answerWithLongWords,
+            reach: seen('.collection .tag'),
+        },
+        'the start page with its options': {
+            hash: '#/',
+            reach: async (page) => {
+                await seen('.collection .card-link')(page);
+                await openOptions(page);
+            },
+        },
+        'the start page while it loads': {
+            hash: '#/',
+            prepare: silent('**/v1/models*'),
+            reach: seen('.card-loading'),
+        },
+        'the start page without a model that fits': {
+            hash: '#/?name=nothing',
+            reach: seen('.notice-empty'),
+        },
+        'the start page of a server in trouble': {
+            hash: '#/',
+            prepare: (page) => answerWithProblem(page, '**/v1/models*', 'index_busy_'.repeat(5)),
+            reach: seen('.notice-problem'),
+        },
+        'an upload that is refused': {
+            hash: '#/',
+            reach: async (page) => {
+                await upload(page, models.truncated);
+                await seen('.notice-problem')(page);
+            },
+        },
+        'several uploads, one of them refused': {
+            hash: '#/reports',
+            reach: async (page) => {
+                const buffer = readFileSync(models.query);
+                const cut = readFileSync(models.truncated);
+                const file = (name: string, bytes: Buffer) => ({
+                    name,
+                    mimeType: 'text/plain',
+                    buffer: bytes,
+                });
+                await page
+                    .locator('.header input[type=file]')
+                    .setInputFiles([
+                        file('a.off', buffer),
+                        file('b.off', cut),
+                        file('c.off', buffer),
+                    ]);
+                await page.locator('.chip a').nth(1).waitFor();
+                await seen('.notice-problem')(page);
+                await seen('.query-text a')(page);
+            },
+        },
+        'an upload under way': {
+            hash: '#/',
+            prepare: silent('**/v1/search*'),
+            reach: async (page) => {
+                await upload(page, models.query);
+                await seen('.progress')(page);
+            },
+        },
+        'hits of an upload with a long name': {
+            hash: '#/',
+            reach: async (page) => {
+                await upload(page, models.query, `${'W'.repeat(60)}.off`);
+                await seen('.hit-card')(page);
+                await seen('.query-text a')(page);
+            },
+        },
+        'what can be taken away of an upload': {
+            hash: '#/',
+            reach: async (page) => {
+                await upload(page, models.query);
+                await page.locator('.query .take-away summary').click();
+                await seen('.take-away-list')(page);
+            },
+        },
+        'hits of a model': { hash: `#/models/${kModels}`, reach: seen('.hit-card') },
+        'hits of a model with long names, options open': {
+            hash: `#/models/${kModels}`,
+            prepare: answerWithLongWords,
+            reach: async (page) => {
+                await seen('.hit-card .tag')(page);
+                await openOptions(page);
+                await page.locator('.warnings summary').click();
+            },
+        },
+        'no hits': { hash: `#/models/${kModels}?class=nothing`, reach: seen('.notice-empty') },
+        'a search that fails': {
+            hash: `#/models/${kModels}`,
+            prepare: (page) => answerWithProblem(page, '**/similar*', 'search_timeout'),
+            reach: seen('.notice-problem'),
+        },
+        'an upload that is gone': { hash: '#/search', reach: seen('.notice-empty') },
+        'an upload that the server has forgotten': {
+            hash: `#/q/${'0'.repeat(32)}`,
+            reach: seen('.notice-empty'),
+        },
+        'the comparison': {
+            hash: `#/models/${kModels}/hits/1`,
+            reach: async (page) => {
+                await seen('.match-table')(page);
+                await untilDrawn(page.locator('dialog .pane-canvas').last());
+            },
+        },
+        'the comparison, and what can be taken away': {
+            hash: `#/models/${kModels}/hits/1`,
+            reach: async (page) => {
+                await seen('.match-table')(page);
+                await page.locator('dialog .take-away summary').click();
+                await seen('dialog .take-away-list')(page);
+            },
+        },
+        'the comparison of long names': {
+            hash: `#/models/${kModels}/hits/1`,
+            prepare: answerWithLongWords,
+            reach: seen('.match-table'),
+        },
+        'the comparison while it loads': {
+            hash: `#/models/${kModels}/hits/1`,
+            prepare: silent('**/v1/models/1/mesh'),
+            reach: seen('.dialog-loading'),
+        },
+        'the comparison without WebGL': {
+            hash: `#/models/${kModels}/hits/1`,
+            prepare: (page) =>
+                page.addInitScript(() => {
+                    HTMLCanvasElement.prototype.getContext = () => null;
+                }),
+            reach: seen('dialog .no-webgl'),
+        },
+        'the parts': {
+            hash: `#/models/${kModels}/parts`,
+            reach: async (page) => {
+                await seen('.part-legend')(page);
+                await untilDrawn(page.locator('dialog .pane-canvas'));
+            },
+        },
+        'the parts of a long name': {
+            hash: `#/models/${kModels}/parts`,
+            prepare: answerWithLongWords,
+            reach: seen('.part-legend'),
+        },
+        'parts that the server cannot give': {
+            hash: `#/models/${kModels}/parts`,
+            prepare: (page) => answerWithProblem(page, '**/rig.glb', 'segments_not_available'),
+            reach: seen('dialog .notice-problem'),
+        },
+        'the reports': { hash: '#/reports', reach: seen('.metrics-table tbody tr:nth-child(3)') },
+        'the reports of long classes': {
+            hash: '#/reports',
+            prepare: answerWithLongWords,
+            reach: seen('.metrics-table tbody tr:nth-child(3)'),
+        },
+        'the reports while they are computed': {
+            hash: '#/reports',
+            prepare: silent('**/v1/evaluations/**'),
+            reach: seen('.working'),
+        },
+        'no reports': {
+            hash: '#/reports',
+            prepare: (page) =>
+                answerWithProblem(page, '**/v1/evaluations/**', 'evaluation_not_found'),
+            reach: seen('.notice-empty'),
+        },
+        'reports that fail': {
+            hash: '#/reports',
+            prepare: (page) => answerWithProblem(page, '**/v1/evaluations/**', 'overloaded'),
+            reach: seen('.notice-problem'),
+        },
+        'a page that is not there': { hash: '#/nowhere', reach: seen('.notice') },
+    };
+}
+
+const kNoModels: WrittenModels = { folder: '', classes: '', query: '', truncated: '', painted: '' };
+
+export const kStateNames = Object.keys(pageStates(kNoModels));

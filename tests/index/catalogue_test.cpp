@@ -1,0 +1,113 @@
+#include "index/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/index/sample_index.h"
+
+namespace ossuary::index {
+namespace {
+
+TEST(NaturalOrder, ReadsNumbersAsNumbers) {
+    const std::vector<std::string> ordered = {"",    "a",    "A1",    "a2", "a02",
+                                              "a10", "a10b", "arm 2", "b",  "leg"};
+    for (std::size_t i = 0; i < ordered.size(); ++i) {
+        EXPECT_FALSE(natural_less(ordered[i], ordered[i])) << ordered[i];
+        for (std::size_t j = i + 1; j < ordered.size(); ++j) {
+            // Equal but for zeros in front: one of both ways round, whichever.
+            if (ordered[i] == "a2" && ordered[j] == "a02") {
+                EXPECT_NE(natural_less("a2", "a02"), natural_less("a02", "a2"));
+                continue;
+            }
+            EXPECT_TRUE(natural_less(ordered[i], ordered[j])) << ordered[i] << ' ' << ordered[j];
+            EXPECT_FALSE(natural_less(ordered[j], ordered[i])) << ordered[i] << ' ' << ordered[j];
+        }
+    }
+    EXPECT_TRUE(natural_less("9", "123456789012345678901234567890"));
+}
+
+TEST(Kind, IsTheEndingOfWhatHoldsTheModel) {
+    EXPECT_EQ(file_kind("/srv/a.STL"), "stl");
+    EXPECT_EQ(file_kind("/srv/toys.zip#cars/red.ply"), "ply");
+    EXPECT_EQ(file_kind("/srv/plate.3mf#Wheel"), "3mf");
+    EXPECT_EQ(file_kind("/srv/v1.2/model"), "");
+    EXPECT_EQ(file_kind(""), "");
+}
+
+class Catalogue : public testing::Test {
+protected:
+    Catalogue() {
+        add("chairs/old/leg10.off", "chair", 30);
+        add("chairs/leg2.stl", "chair", 20);
+        add("Leg1.off", "", 10);
+        add("tables/top.stl", "table", 40);
+        store_ = std::make_unique<Store>(*Store::open(file(), Access::kReadOnly));
+        snapshot_ = *Snapshot::load(*store_);
+    }
+    std::filesystem::path file() const { return folder_.path() / "x.ossuary"; }
+    void add(const std::string& path, const std::string& class_name, std::uint32_t faces) {
+        auto store = Store::create_or_open(file(), {});
+        auto model = test::sample_model(faces, "/srv/models/" + path);
+        model.summary.name = std::filesystem::path(path).stem().string();
+        model.summary.class_name = class_name;
+        model.summary.faces = faces;
+        ASSERT_TRUE(store->put(std::move(model)));
+    }
+    std::vector<std::string> names(const CatalogueFilter& filter,
+                                   CatalogueOrder order = CatalogueOrder::kId) {
+        std::vector<std::string> names;
+        for (const std::size_t at : list_models(*snapshot_, filter, order)) {
+            names.push_back(snapshot_->models()[at].name);
+        }
+        return names;
+    }
+
+    test::TemporaryFolder folder_;
+    std::unique_ptr<Store> store_;
+    std::shared_ptr<const Snapshot> snapshot_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(Catalogue, ListsInEachOrder) {
+    EXPECT_EQ(names({}), (Names{"leg10", "leg2", "Leg1", "top"}));
+    EXPECT_EQ(names({}, CatalogueOrder::kName), (Names{"Leg1", "leg2", "leg10", "top"}));
+    EXPECT_EQ(names({}, CatalogueOrder::kFaces), (Names{"top", "leg10", "leg2", "Leg1"}));
+}
+
+TEST_F(Catalogue, ListsWhatPassesTheFilter) {
+    EXPECT_EQ(names({.name_contains = "LEG1"}), (Names{"leg10", "Leg1"}));
+    EXPECT_EQ(names({.class_name = "chair"}), (Names{"leg10", "leg2"}));
+    EXPECT_EQ(names({.class_name = ""}), (Names{"Leg1"}));
+    EXPECT_EQ(names({.folder = "chairs"}), (Names{"leg10", "leg2"}));
+    EXPECT_EQ(names({.folder = "chairs/old"}), (Names{"leg10"}));
+    EXPECT_EQ(names({.folder = "chair"}), (Names{}));
+    EXPECT_EQ(names({.kind = "stl"}), (Names{"leg2", "top"}));
+    EXPECT_EQ(names({.class_name = "chair", .name_contains = "2", .kind = "stl"}), (Names{"leg2"}));
+}
+
+TEST_F(Catalogue, CountsEachFacetAsIfItWereNotChosen) {
+    const Facets all = count_facets(*snapshot_, {});
+    EXPECT_EQ(all.classes, (std::vector<FacetValue>{{"", 1}, {"chair", 2}, {"table", 1}}));
+    EXPECT_EQ(all.folders,
+              (std::vector<FacetValue>{{"chairs", 2}, {"chairs/old", 1}, {"tables", 1}}));
+    EXPECT_EQ(all.kinds, (std::vector<FacetValue>{{"off", 2}, {"stl", 2}}));
+    const Facets chairs = count_facets(*snapshot_, {.class_name = "chair"});
+    EXPECT_EQ(chairs.classes, all.classes);
+    EXPECT_EQ(chairs.kinds, (std::vector<FacetValue>{{"off", 1}, {"stl", 1}}));
+    EXPECT_EQ(chairs.folders, (std::vector<FacetValue>{{"chairs", 2}, {"chairs/old", 1}}));
+    const Facets both = count_facets(*snapshot_, {.class_name = "chair", .kind = "off"});
+    EXPECT_EQ(both.classes, (std::vector<FacetValue>{{"", 1}, {"chair", 1}}));
+    EXPECT_EQ(both.kinds, chairs.kinds);
+}
+
+TEST_F(Catalogue, KnowsCopiesByTheirMeasures) {
+    add("chairs/copy.off", "chair", 20);
+    const auto snapshot = *Snapshot::load(*store_);
+    EXPECT_EQ(snapshot->copies(4), snapshot->copies(1));
+    EXPECT_EQ(snapshot->copy_count(snapshot->copies(1)), 2u);
+    EXPECT_EQ(snapshot->copy_count(snapshot->copies(0)), 1u);
+    EXPECT_EQ(snapshot->redundant(), 1u);
+}
+
+}  // namespace
+}  // namespace ossuary::index

@@ -1,0 +1,138 @@
+import type { Context } from '../page/context';
+import { element, replace } from '../page/element';
+import { formatBytes } from '../page/format';
+import { problemNotice } from '../page/problem_notice';
+import { formatRoute, resultsOf } from '../page/routes';
+import type { Upload } from '../page/uploads';
+import { type Progress, progress } from './progress';
+
+export interface UploadTray {
+    node: HTMLElement;
+    /** Says what was wrong before there was an upload. */
+    complain(error: unknown): void;
+    dispose(): void;
+}
+
+function addressOf({ token, answer }: Upload): string {
+    return formatRoute(
+        resultsOf(
+            token === null ? { kind: 'upload' } : { kind: 'query', token },
+            answer?.parameters,
+        ),
+    );
+}
+
+function closeButton(label: string, onClick: () => void): HTMLElement {
+    return element(
+        'button',
+        { type: 'button', class: 'chip-close', 'aria-label': label, click: onClick },
+        '✕',
+    );
+}
+
+function complaint(error: unknown, name: string, onClose: () => void): HTMLElement {
+    return element(
+        'div',
+        { class: 'upload-problem' },
+        problemNotice(error),
+        closeButton(`Close: ${name}`, onClose),
+    );
+}
+
+/** The files of this session: what runs, what failed, and the way back to those that are done. */
+class Tray implements UploadTray {
+    readonly node = element('section', { class: 'uploads', 'aria-label': 'Searches with files' });
+    private readonly chips_ = element('ul', { class: 'upload-chips' });
+    private readonly bars_ = element('div', { class: 'upload-bars' });
+    private readonly complaints_ = element('div', { class: 'upload-problems' });
+    private readonly context_: Context;
+    private readonly end_: () => void;
+    private bar_: { upload: Upload; progress: Progress } | null = null;
+    private readonly said_ = new Map<Upload, HTMLElement>();
+
+    constructor(context: Context) {
+        this.context_ = context;
+        this.node.append(this.chips_, this.bars_, this.complaints_);
+        this.end_ = context.uploads.subscribe(() => this.show());
+        this.show();
+    }
+
+    complain(error: unknown): void {
+        const notice = complaint(error, 'the problem', () => {
+            notice.remove();
+            this.fold();
+        });
+        this.complaints_.append(notice);
+        this.fold();
+    }
+
+    dispose(): void {
+        this.end_();
+        this.bar_?.progress.dispose();
+    }
+
+    private show(): void {
+        const { list } = this.context_.uploads;
+        this.follow(list.find(({ state }) => state === 'running') ?? null);
+        const chips = list.filter(({ state }) => state === 'done' || state === 'waiting');
+        // One alone is what the page shows anyway.
+        replace(this.chips_, chips.length > 1 ? chips.map((upload) => this.chip(upload)) : null);
+        for (const [upload, notice] of this.said_) {
+            if (!list.includes(upload)) {
+                notice.remove();
+                this.said_.delete(upload);
+            }
+        }
+        for (const upload of list) {
+            if (upload.state === 'failed' && !this.said_.has(upload)) {
+                const remove = (): void => this.context_.uploads.remove(upload);
+                const notice = complaint(upload.error, upload.name, remove);
+                this.said_.set(upload, notice);
+                this.complaints_.append(notice);
+            }
+        }
+        this.fold();
+    }
+
+    private chip(upload: Upload): HTMLElement {
+        const remove = closeButton(`Forget ${upload.name}`, () =>
+            this.context_.uploads.remove(upload),
+        );
+        return element(
+            'li',
+            { class: 'chip' },
+            upload.state === 'done'
+                ? element('a', { href: addressOf(upload) }, upload.name)
+                : element('span', {}, upload.name, ' ', element('span', {}, 'waiting')),
+            remove,
+        );
+    }
+
+    private follow(upload: Upload | null): void {
+        if (upload === (this.bar_?.upload ?? null)) {
+            return;
+        }
+        this.bar_?.progress.dispose();
+        this.bar_ = null;
+        if (upload) {
+            const size = upload.size === null ? '' : ` (${formatBytes(upload.size)})`;
+            const bar = progress({
+                message: `Searching with ${upload.name}${size}`,
+                onCancel: () => this.context_.uploads.remove(upload),
+            });
+            this.context_.announce(`Searching with ${upload.name}`);
+            this.bar_ = { upload, progress: bar };
+        }
+        replace(this.bars_, this.bar_?.progress.node);
+    }
+
+    private fold(): void {
+        this.node.hidden = [this.chips_, this.bars_, this.complaints_].every(
+            ({ childElementCount }) => childElementCount === 0,
+        );
+    }
+}
+
+export function uploadTray(context: Context): UploadTray {
+    return new Tray(context);
+}
