@@ -2,8 +2,8 @@
 
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
-#include "index/describe_model.h"
 #include "index/model_segments.h"
+#include "index/preview.h"
 #include "index/upright.h"
 
 namespace ossuary::index {
@@ -19,20 +19,28 @@ std::vector<mesh::MeshWarning> joined(std::vector<mesh::MeshWarning> first,
 std::size_t bytes_of(const mesh::TriangleMesh& mesh) {
     return mesh.vertices.size() * sizeof(Vec3) +
            mesh.triangles.size() * sizeof(mesh::TriangleMesh::Triangle) +
-           mesh.face_of_triangle.size() * sizeof(std::uint32_t) +
-           mesh.corner_colours.size() * sizeof(mesh::CornerColours);
+           mesh.face_of_triangle.size() * sizeof(std::uint32_t);
 }
 
 }  // namespace
 
-QueryModel::QueryModel(std::string name, mesh::TriangleMesh mesh, FileFrame frame,
-                       std::vector<mesh::MeshWarning> warnings, DescribedQuery described)
+QueryModel::QueryModel(std::string name, mesh::TriangleMesh mesh,
+                       std::vector<mesh::MeshWarning> warnings, const FileFrame& frame,
+                       DescribedQuery described)
     : name_(std::move(name)),
       mesh_(std::move(mesh)),
-      frame_(frame),
       described_(std::move(described)),
       warnings_(joined(std::move(warnings), described_.warnings)),
-      bounds_(mesh::measure(mesh_).bounds) {}
+      bounds_(mesh::measure(described_.body.of(mesh_)).bounds),
+      frame_(frame) {}
+
+Result<Up> QueryModel::up(const std::stop_token& stop) {
+    if (frame_.up) return *frame_.up;
+    const Lock lock(mutex_);
+    const auto mesh = coarse(stop);
+    if (!mesh) return mesh.error();
+    return find_up(*mesh);
+}
 
 Result<mesh::TriangleMesh> QueryModel::coarse(const std::stop_token& stop) {
     if (!coarse_) {
@@ -49,14 +57,6 @@ Result<PreviewMesh> QueryModel::preview(const std::stop_token& stop) {
     const auto mesh = coarse(stop);
     if (!mesh) return mesh.error();
     return make_preview(*mesh);
-}
-
-Result<Up> QueryModel::up(const std::stop_token& stop) {
-    if (frame_.up) return *frame_.up;
-    const Lock lock(mutex_);
-    const auto mesh = coarse(stop);
-    if (!mesh) return mesh.error();
-    return find_up(*mesh);
 }
 
 Result<ModelSegments> QueryModel::segments(const std::stop_token& stop) {

@@ -20,23 +20,23 @@ namespace ossuary::index {
 class QueryModel {
 public:
     /// @param mesh  as it was read
-    /// @param frame  what its file says of its unit and axes
     /// @param warnings  of reading it
-    QueryModel(std::string name, mesh::TriangleMesh mesh, FileFrame frame,
-               std::vector<mesh::MeshWarning> warnings, DescribedQuery described);
+    QueryModel(std::string name, mesh::TriangleMesh mesh, std::vector<mesh::MeshWarning> warnings,
+               const FileFrame& frame, DescribedQuery described);
 
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const mesh::TriangleMesh& mesh() const { return mesh_; }
-    [[nodiscard]] const FileFrame& frame() const { return frame_; }
     [[nodiscard]] const DescribedQuery& described() const { return described_; }
     /// Those of reading it before those of describing it.
     [[nodiscard]] const std::vector<mesh::MeshWarning>& warnings() const { return warnings_; }
     [[nodiscard]] const Box3& bounds() const { return bounds_; }
+    [[nodiscard]] const FileFrame& frame() const { return frame_; }
+
+    /// Which way it stands: as its file says, else as its shape suggests. Errors: cancelled.
+    Result<Up> up(const std::stop_token& stop = {});
 
     /// At most about 2000 triangles of what was described. Errors: cancelled.
     Result<PreviewMesh> preview(const std::stop_token& stop = {});
-    /// Which way it is best looked at: as its file says, else as found. Errors: cancelled.
-    Result<Up> up(const std::stop_token& stop = {});
     /// Errors: those of segment_model.
     Result<ModelSegments> segments(const std::stop_token& stop = {});
 
@@ -49,10 +49,10 @@ private:
 
     const std::string name_;
     const mesh::TriangleMesh mesh_;
-    const FileFrame frame_;
     const DescribedQuery described_;
     const std::vector<mesh::MeshWarning> warnings_;
     const Box3 bounds_;
+    const FileFrame frame_;
     Mutex mutex_;
     std::optional<mesh::TriangleMesh> coarse_ OSSUARY_GUARDED_BY(mutex_);
     std::optional<ModelSegments> segments_ OSSUARY_GUARDED_BY(mutex_);

@@ -83,11 +83,10 @@ Checked<Response> describe_interface(Service& service, const Request& request);
                                          const ranking::RankOptions& options);
 
 /// The same for a query that is kept under `token`, or not kept where that is empty.
-/// @param up  which way it is best looked at; none = nobody asked
 [[nodiscard]] nlohmann::json query_search_json(Service& service, const index::SearchResult& result,
                                                const index::QueryModel& query,
-                                               std::optional<index::Up> up,
                                                const std::string& token,
+                                               std::optional<index::Up> up,
                                                const ranking::RankOptions& options);
 
 /// The tag of a ranking: the answer says how long it took, so its own bytes make none; what it

@@ -4,7 +4,7 @@
 
 #include "engine/decomposition/decompose.h"
 #include "engine/mesh/write_mesh.h"
-#include "index/content_hash.h"
+#include "index/describe_model.h"
 #include "index/model_place.h"
 #include "index/model_segments.h"
 #include "server/etag.h"
@@ -59,7 +59,11 @@ Checked<Original> open_original(Service& service, const Request& request) {
     auto model = service.reader.open(summary->path, max_bytes, request.stop);
     if (!model && model.error().code == ErrorCode::kCancelled) return fail(model.error());
     if (!model) return not_available(request.capture, "is not where it was any more");
-    if (index::content_hash(model->bytes.view(), model->object) != summary->content_hash) {
+    index::ModelSource source{model->bytes.view(), model->name};
+    source.reader = &service.reader;
+    source.companions = model->companions;
+    source.object = model->object;
+    if (index::model_hash(source) != summary->content_hash) {
         return not_available(request.capture, "has changed since it was indexed");
     }
     index::ModelPlace place = index::place_of(summary->path);

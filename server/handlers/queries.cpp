@@ -40,12 +40,13 @@ nlohmann::json links(const std::string& token) {
 }  // namespace
 
 nlohmann::json query_search_json(Service& service, const index::SearchResult& result,
-                                 const index::QueryModel& query, std::optional<index::Up> up,
-                                 const std::string& token, const ranking::RankOptions& options) {
+                                 const index::QueryModel& query, const std::string& token,
+                                 std::optional<index::Up> up, const ranking::RankOptions& options) {
     const mesh::TriangleMesh& mesh = query.mesh();
-    nlohmann::json json = search_json(
-        service, result, {query.name(), mesh.vertices.size(), mesh.face_count, query.frame(), up},
-        options);
+    index::QueryDescription description{query.name(), mesh.vertices.size(), mesh.face_count,
+                                        query.frame()};
+    description.up = up;
+    nlohmann::json json = search_json(service, result, description, options);
     json["query"]["warnings"] = index::to_json(query.warnings());
     json["query"]["skeleton"] = index::to_json(query.described().skeleton);
     json["token"] = token.empty() ? nlohmann::json() : nlohmann::json(token);
@@ -81,12 +82,12 @@ Checked<Response> query_similar(Service& service, const Request& request) {
     if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto result = service.searcher.nearest((*query)->described(), options, request.stop);
     if (!result) return fail(result.error());
+    service.metrics.search(result->stages_ms);
     const auto up = (*query)->up(request.stop);
     if (!up) return fail(up.error());
-    service.metrics.search(result->stages_ms);
     return conditional(request.head,
-                       json_answer(query_search_json(service, *result, **query, *up,
-                                                     request.capture, options.rank)),
+                       json_answer(query_search_json(service, *result, **query, request.capture,
+                                                     *up, options.rank)),
                        std::move(etag));
 }
 

@@ -59,23 +59,23 @@ Checked<Response> search(Service& service, const Request& request) {
     result->took_ms = read_ms + watch.lap_ms();
     service.metrics.search(result->stages_ms);
 
-    const index::FileFrame frame = index::frame_of(*query);
-    const auto model =
-        std::make_shared<index::QueryModel>(upload->name, std::move(query->mesh), frame,
-                                            std::move(query->warnings), *std::move(described));
+    const auto model = std::make_shared<index::QueryModel>(
+        upload->name, std::move(query->mesh), std::move(query->warnings), index::frame_of(*query),
+        *std::move(described));
     const std::string token = service.queries.keep(model);
-    nlohmann::json preview;
+    // Which way it stands is told where it is shown.
     std::optional<index::Up> up = model->frame().up;
+    nlohmann::json mesh;
     if (parameters.with_mesh) {
-        const auto mesh = model->preview(request.stop);
-        if (!mesh) return fail(mesh.error());
-        preview = index::to_json(*mesh, model->bounds());
+        const auto preview = model->preview(request.stop);
+        if (!preview) return fail(preview.error());
+        mesh = index::to_json(*preview, model->bounds());
         const auto found = model->up(request.stop);
         if (!found) return fail(found.error());
         up = *found;
     }
-    auto json = query_search_json(service, *result, *model, up, token, parameters.options.rank);
-    if (parameters.with_mesh) json["query"]["mesh"] = std::move(preview);
+    auto json = query_search_json(service, *result, *model, token, up, parameters.options.rank);
+    if (parameters.with_mesh) json["query"]["mesh"] = std::move(mesh);
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
     return response;

@@ -224,6 +224,6 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
     };
 }
 
-const kNoModels: WrittenModels = { folder: '', classes: '', query: '', truncated: '', painted: '' };
+const kNoModels: WrittenModels = { folder: '', classes: '', query: '', truncated: '' };
 
 export const kStateNames = Object.keys(pageStates(kNoModels));

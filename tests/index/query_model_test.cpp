@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "engine/mesh/measures.h"
-#include "index/describe_model.h"
 #include "tests/index/sample_index.h"
 #include "tests/support/shapes.h"
 
@@ -20,7 +19,7 @@ protected:
         auto described = searcher_->describe(mesh);
         EXPECT_TRUE(described);
         return std::make_unique<QueryModel>(
-            "tree", mesh, std::vector<mesh::MeshWarning>{{"read", 1, "of reading"}},
+            "tree", mesh, std::vector<mesh::MeshWarning>{{"read", 1, "of reading"}}, FileFrame{},
             *std::move(described));
     }
 
@@ -41,6 +40,7 @@ TEST_F(QueryModelTest, HasThePartsOfItsPreview) {
     EXPECT_EQ(model->segments()->labels, segments->labels);
     EXPECT_EQ(model->warnings().front().code, "read");
     EXPECT_TRUE(model->bounds().isApprox(mesh::measure(test::capsule_tree_mesh()).bounds));
+    EXPECT_TRUE(model->up());
 }
 
 TEST_F(QueryModelTest, MakesNothingOfWhatWasGivenUp) {

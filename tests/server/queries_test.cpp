@@ -14,8 +14,8 @@ std::shared_ptr<index::QueryModel> model_of(std::size_t triangles) {
     mesh::TriangleMesh mesh;
     mesh.vertices = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
     mesh.triangles.assign(triangles, {0, 1, 2});
-    return std::make_shared<index::QueryModel>(
-        "x", mesh, index::FileFrame(), std::vector<mesh::MeshWarning>(), index::DescribedQuery{});
+    return std::make_shared<index::QueryModel>("x", mesh, std::vector<mesh::MeshWarning>(),
+                                               index::FileFrame{}, index::DescribedQuery{});
 }
 
 /// Time that passes only when told.
