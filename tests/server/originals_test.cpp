@@ -14,7 +14,6 @@ namespace ossuary::test {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 class Originals : public testing::Test {
 protected:
@@ -33,12 +32,14 @@ protected:
 TEST_F(Originals, ArePlacedBelowTheIndexedFolders) {
     const TestServer server(index_);
     const std::string place = "more-spare tree/spare tree.off";
-    const auto ends = [&](const json& told) { return told.get<std::string>().ends_with(place); };
+    const auto ends = [&](const nlohmann::json& told) {
+        return told.get<std::string>().ends_with(place);
+    };
     EXPECT_TRUE(ends(server.json(get(path()))["path"]));
     EXPECT_TRUE(ends(server.json(get("/v1/models?name=spare+tree"))["models"][0]["path"]));
     EXPECT_TRUE(ends(server.json(get("/v1/compare?a=1&b=8"))["b"]["path"]));
     EXPECT_TRUE(ends(server.json(get("/v1/models/5/similar?limit=1"))["hits"][0]["path"]));
-    const json folders = server.json(get("/v1/facets?name=spare+tree"))["folders"];
+    const nlohmann::json folders = server.json(get("/v1/facets?name=spare+tree"))["folders"];
     EXPECT_TRUE(ends(folders.back()["value"].get<std::string>() + "/spare tree.off"));
 }
 
@@ -64,7 +65,7 @@ TEST_F(Originals, AreHadOnlyWhereTheServerIsTold) {
 
 TEST_F(Originals, AreTheFilesThemselves) {
     const TestServer server(index_, serve);
-    const json links = server.json(get(path()))["links"];
+    const nlohmann::json links = server.json(get(path()))["links"];
     const RawAnswer answer = server.ask(get(links["file"].get<std::string>()));
     EXPECT_EQ(answer.status, 200);
     EXPECT_EQ(answer.body, read_whole_file(file())->view());
@@ -81,9 +82,10 @@ TEST_F(Originals, AreRiggedAtTheirOwnResolution) {
     const auto triangles = [&](const std::string& address) {
         const RawAnswer rig = server.ask(get(address));
         EXPECT_EQ(rig.status, 200) << address;
-        const json gltf = json::parse(rig.body.substr(20, rig.body.find("BIN") - 24));
+        const nlohmann::json gltf =
+            nlohmann::json::parse(rig.body.substr(20, rig.body.find("BIN") - 24));
         std::size_t count = 0;
-        for (const json& primitive : gltf["meshes"][0]["primitives"]) {
+        for (const nlohmann::json& primitive : gltf["meshes"][0]["primitives"]) {
             count += gltf["accessors"][primitive["indices"].get<std::size_t>()]["count"]
                          .get<std::size_t>();
         }
@@ -126,9 +128,10 @@ TEST_F(Originals, PicturesHaveAddressesThatNeverShowAnythingElse) {
 
 TEST_F(Originals, CopiesAreFoldedOnRequest) {
     const TestServer server(index_);
-    const json all = server.json(post("/v1/search?limit=2", built_models()[4].off))["hits"];
+    const nlohmann::json all =
+        server.json(post("/v1/search?limit=2", built_models()[4].off))["hits"];
     EXPECT_EQ(all[0]["distance"], all[1]["distance"]);
-    const json folded =
+    const nlohmann::json folded =
         server.json(post("/v1/search?limit=2&fold=true", built_models()[4].off))["hits"];
     ASSERT_EQ(folded.size(), 2u);
     EXPECT_EQ(folded[0]["id"], all[0]["id"]);
@@ -142,24 +145,26 @@ TEST_F(Originals, AreListedInOrderAndByWhatTheyAre) {
     const TestServer server(index_);
     const auto names = [&](const std::string& query) {
         std::string list;
-        const json page = server.json(get("/v1/models?" + query));
-        for (const json& each : page["models"]) list += each["name"].get<std::string>() + ' ';
+        const nlohmann::json page = server.json(get("/v1/models?" + query));
+        for (const nlohmann::json& each : page["models"])
+            list += each["name"].get<std::string>() + ' ';
         return list;
     };
-    const json folder = server.json(get("/v1/facets?name=spare+ring"))["folders"].back()["value"];
+    const nlohmann::json folder =
+        server.json(get("/v1/facets?name=spare+ring"))["folders"].back()["value"];
     std::string escaped = folder.get<std::string>();
     std::replace(escaped.begin(), escaped.end(), ' ', '+');
     EXPECT_EQ(names("sort=name&offset=5&limit=2"), "spare tree treea ");
     EXPECT_EQ(names("sort=name&offset=99"), "");
     EXPECT_EQ(names("folder=" + escaped), "spare ring ");
     EXPECT_EQ(names("kind=stl"), "");
-    const json page = server.json(get("/v1/models?sort=name&limit=2"));
+    const nlohmann::json page = server.json(get("/v1/models?sort=name&limit=2"));
     EXPECT_TRUE(page["next_cursor"].is_null()) << "offsets lead on, no cursor";
     EXPECT_EQ(page["total"], 8);
-    const json facets = server.json(get("/v1/facets?name=tree"));
-    EXPECT_EQ(facets["classes"], json::parse(R"([{"value":null,"models":1},
+    const nlohmann::json facets = server.json(get("/v1/facets?name=tree"));
+    EXPECT_EQ(facets["classes"], nlohmann::json::parse(R"([{"value":null,"models":1},
                                                  {"value":"tree","models":2}])"));
-    EXPECT_EQ(facets["kinds"], json::parse(R"([{"value":"off","models":3}])"));
+    EXPECT_EQ(facets["kinds"], nlohmann::json::parse(R"([{"value":"off","models":3}])"));
     const std::string cursor = server.json(get("/v1/models?limit=1"))["next_cursor"];
     for (const char* with : {"&sort=name", "&offset=1", "&kind=off"}) {
         EXPECT_EQ(server.code(get("/v1/models?cursor=" + cursor + with), 400), "parameter_invalid");

@@ -7,7 +7,6 @@
 namespace ossuary::test {
 namespace {
 
-using nlohmann::json;
 using server::Queries;
 
 std::shared_ptr<index::QueryModel> model_of(std::size_t triangles) {
@@ -88,7 +87,7 @@ protected:
     static const std::string& tree() { return built_models()[4].off; }
 };
 
-json without_times(json answer) {
+nlohmann::json without_times(nlohmann::json answer) {
     answer.erase("took_ms");
     answer.erase("stages_ms");
     return answer;
@@ -97,7 +96,7 @@ json without_times(json answer) {
 TEST_F(KeptQueries, AnswerAsTheUploadDid) {
     for (const std::string options :
          {"?limit=3", "?limit=3&ranker=skeleton&pose=0.5", "?limit=3&part=true", "?rerank=true"}) {
-        const json sent = server_.json(post("/v1/search" + options, tree()));
+        const nlohmann::json sent = server_.json(post("/v1/search" + options, tree()));
         const std::string token = sent["token"];
         const std::string path = "/v1/queries/" + token;
         EXPECT_EQ(without_times(server_.json(get(path + "/similar" + options))),
@@ -107,8 +106,9 @@ TEST_F(KeptQueries, AnswerAsTheUploadDid) {
 }
 
 TEST_F(KeptQueries, HaveWhatIndexedModelsHave) {
-    const json sent = server_.json(post("/v1/search?name=oak&include=mesh", tree()));
-    const json query = server_.json(get("/v1/queries/" + sent["token"].get<std::string>()));
+    const nlohmann::json sent = server_.json(post("/v1/search?name=oak&include=mesh", tree()));
+    const nlohmann::json query =
+        server_.json(get("/v1/queries/" + sent["token"].get<std::string>()));
     EXPECT_EQ(query["name"], "oak");
     EXPECT_EQ(query["faces"], sent["query"]["faces"]);
     EXPECT_EQ(server_.json(get(query["links"]["mesh"].get<std::string>())), sent["query"]["mesh"]);
@@ -130,7 +130,7 @@ TEST_F(KeptQueries, HaveWhatIndexedModelsHave) {
 }
 
 TEST_F(KeptQueries, FollowTheCollection) {
-    const json sent = server_.json(post("/v1/search", tree()));
+    const nlohmann::json sent = server_.json(post("/v1/search", tree()));
     const std::string path = "/v1/queries/" + sent["token"].get<std::string>() + "/similar";
     const RawAnswer first = server_.ask(get(path));
     EXPECT_EQ(server_.ask(get(path, "If-None-Match: " + first.header("ETag") + "\r\n")).status,
@@ -148,7 +148,7 @@ TEST_F(KeptQueries, SayWhenTheyAreGone) {
     }
     const TestServer forgetful(
         index_, [](server::ServerOptions& options) { options.kept_queries_bytes = 0; });
-    const json sent = forgetful.json(post("/v1/search?include=mesh", tree()));
+    const nlohmann::json sent = forgetful.json(post("/v1/search?include=mesh", tree()));
     EXPECT_TRUE(sent["token"].is_null());
     EXPECT_FALSE(sent["query"]["mesh"]["triangles"].empty());
 }
