@@ -224,6 +224,12 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
     };
 }
 
-const kNoModels: WrittenModels = { folder: '', classes: '', query: '', truncated: '' };
+const kNoModels: WrittenModels = {
+    folder: '',
+    classes: '',
+    query: '',
+    truncated: '',
+    painted: '',
+};
 
 export const kStateNames = Object.keys(pageStates(kNoModels));

@@ -44,6 +44,8 @@ export class VirtualGrid {
             passive: true,
             signal: this.undo_.signal,
         });
+        // The keyboard is not to come to an end before the next rows are drawn.
+        this.node.addEventListener('focusin', (event) => this.placeAround(event.target as Element));
         this.resized_ = new ResizeObserver(() => this.measure());
         this.resized_.observe(this.node);
     }
@@ -134,6 +136,15 @@ export class VirtualGrid {
         if (seen !== this.first_) {
             this.first_ = seen;
             this.options_.onMove(seen);
+        }
+    }
+
+    private placeAround(target: Element): void {
+        const at = Number(target.closest('li')?.getAttribute('aria-posinset')) - 1;
+        const more = 2 * kLeastRows * this.layout_.columns;
+        const end = Math.min(this.pages_?.total ?? 0, at + more);
+        for (let index = Math.max(0, at - more); index < end; index++) {
+            this.place(index);
         }
     }
 
