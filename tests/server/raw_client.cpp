@@ -108,6 +108,11 @@ bool RawClient::closed_within(std::chrono::milliseconds time) {
     return false;
 }
 
+bool RawClient::has_arrived() const {
+    pollfd entry{socket_, POLLIN, 0};
+    return poll(&entry, 1, 0) > 0;
+}
+
 RawAnswer ask(int port, std::string_view bytes, bool head_only) {
     RawClient client(port);
     client.send(bytes);

@@ -34,6 +34,8 @@ public:
     RawAnswer receive(bool head_only = false);
     /// Whether the peer closes the connection within the time.
     bool closed_within(std::chrono::milliseconds time);
+    /// Whether something has arrived that was not received yet, or the end.
+    [[nodiscard]] bool has_arrived() const;
     [[nodiscard]] int interim_answers() const { return interim_; }
 
 private:
