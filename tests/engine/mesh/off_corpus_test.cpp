@@ -85,6 +85,8 @@ TEST_P(OffCorpusGood, KeepsItsAreaWhenRotatedAndDuplicated) {
         for (std::uint32_t& vertex : triangle) vertex += count;
         twice.triangles.push_back(triangle);
     }
+    const auto& colours = read->mesh.corner_colours;
+    twice.corner_colours.insert(twice.corner_colours.end(), colours.begin(), colours.end());
     const Result<mesh::ReadMeshResult> again = mesh::read_mesh(mesh::to_off(twice), "twice");
     // A rotated diagonal may leave the range of coordinates that are taken.
     if (!again && again.error().code == ErrorCode::kOffNonFinite) return;
