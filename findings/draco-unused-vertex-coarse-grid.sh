@@ -68,9 +68,8 @@ through() { # STRAY [OPTION VALUE]
     echo "at 10000, -qp 0: $(through 10000 -qp 0)"
 } > seen.txt
 cat seen.txt
-diff - seen.txt << 'TEXT'
-no stray vertex: 8 vertices 12 faces width 1.000 volume 1.000
+expected='no stray vertex: 8 vertices 12 faces width 1.000 volume 1.000
 at 100: 8 vertices 12 faces width 0.977 volume 0.933
 at 10000: 8 vertices 12 faces width 0.000 volume 0.000
-at 10000, -qp 0: 8 vertices 12 faces width 1.000 volume 1.000
-TEXT
+at 10000, -qp 0: 8 vertices 12 faces width 1.000 volume 1.000'
+[[ $(cat seen.txt) == "$expected" ]] || { echo "changed: no longer as stated above" >&2; exit 1; }

@@ -26,9 +26,10 @@ inline constexpr double kPosePointsUnit = 1.0 / 4096.0;
                                                     const Mat3& rotation);
 
 /// How differently two bodies stand, whatever their limbs' lengths and girths: one is laid over the
-/// other as well as it goes, each point takes the nearest of the other body for its partner, and
-/// the distance is the mean of 1 - cos of the angle between the directions from point to point and
-/// from partner to partner, over all pairs of points and both ways. It is laid as the files lie,
+/// other as well as it goes, and each point takes the nearest of the other body for its partner.
+/// The distance is the geometric mean of two: the mean distance between partners, over the bodies'
+/// size, and the mean of 1 - cos of the angle between the directions from point to point and from
+/// partner to partner, over all pairs of points; each both ways. It is laid as the files lie,
 /// and from there and from the best of the ways of laying principal axes over each other moved to
 /// the closest points (Besl and McKay, "A method for registration of 3-D shapes", 1992). What lies
 /// otherwise in its file stands otherwise, a little: half a turn makes the distance larger by a

@@ -35,6 +35,7 @@ std::string attachment(std::string_view file_name) {
 }
 
 struct Original {
+    Slots::Hold slot;  ///< held while it is worked on
     index::ModelSummary summary;
     index::ModelPlace place;
     index::ModelBytes model;
@@ -45,8 +46,10 @@ tl::unexpected<Problem> not_available(std::string_view id, std::string_view why)
                 "The file of model " + std::string(id) + " " + std::string(why) + ".");
 }
 
-/// The bytes that a model was indexed from, should they still be there.
+/// The bytes that a model was indexed from, should they still be there; waits for a slot first.
 Checked<Original> open_original(Service& service, const Request& request) {
+    auto slot = wait_for_slot(service, request);
+    if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto id = parse_id(request.capture, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
     auto summary = service.searcher.store().model(*id);
@@ -67,7 +70,7 @@ Checked<Original> open_original(Service& service, const Request& request) {
         return not_available(request.capture, "has changed since it was indexed");
     }
     index::ModelPlace place = index::place_of(summary->path);
-    return Original{*std::move(summary), std::move(place), *std::move(model)};
+    return Original{*std::move(slot), *std::move(summary), std::move(place), *std::move(model)};
 }
 
 Result<mesh::ReadMeshResult> read_original(Service& service, const Original& original,
@@ -88,8 +91,6 @@ Checked<Response> model_file(Service& service, const Request& request) {
     if (auto fault = refuse_parameters(request.head)) {
         return tl::unexpected<Problem>(*std::move(fault));
     }
-    const auto slot = wait_for_slot(service, request);
-    if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto original = open_original(service, request);
     if (!original) return tl::unexpected<Problem>(original.error());
     return as_download(conditional(request.head, answer("application/octet-stream",
@@ -101,8 +102,6 @@ Checked<Response> model_stl(Service& service, const Request& request) {
     if (auto fault = refuse_parameters(request.head)) {
         return tl::unexpected<Problem>(*std::move(fault));
     }
-    const auto slot = wait_for_slot(service, request);
-    if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto original = open_original(service, request);
     if (!original) return tl::unexpected<Problem>(original.error());
     const auto read = read_original(service, *original, request.stop);
@@ -112,8 +111,6 @@ Checked<Response> model_stl(Service& service, const Request& request) {
 }
 
 Checked<Response> full_model_rig(Service& service, const Request& request) {
-    const auto slot = wait_for_slot(service, request);
-    if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto original = open_original(service, request);
     if (!original) return tl::unexpected<Problem>(original.error());
     const auto read = read_original(service, *original, request.stop);

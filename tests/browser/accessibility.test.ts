@@ -1,26 +1,17 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
 import { kStateNames, pageStates, type State } from './page_states';
-import { visit } from './visitor';
+import { Visits } from './visits';
 
 const kAxe = readFileSync(
     fileURLToPath(new URL('../../web/node_modules/axe-core/axe.min.js', import.meta.url)),
     'utf8',
 );
 
-let collection: ServedCollection;
-
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
+const visits = new Visits();
 
 /** What axe-core finds, by WCAG 2.2 A and AA and by good practice. */
 async function violations(page: Page): Promise<string[]> {
@@ -45,22 +36,13 @@ async function violations(page: Page): Promise<string[]> {
 describe.each(['light', 'dark'] as const)('axe-core finds nothing, %s,', (colorScheme) => {
     describe.each([390, 1440])('at %d px,', (width) => {
         it.each(kStateNames)('in %s', async (name) => {
-            const { hash, prepare, reach } = pageStates(collection.models)[name] as State;
+            const { hash, prepare, reach } = pageStates(visits.collection.models)[name] as State;
             const viewport = { width, height: width < 1000 ? 844 : 900 };
-            const visitor = await visit(collection.browser, collection.origin, {
-                viewport,
-                colorScheme,
-                bypassCSP: true,
-            });
-            try {
-                const { page } = visitor;
-                await prepare?.(page);
-                await page.goto(`${collection.origin}/${hash}`);
-                await reach(page);
-                expect(await violations(page)).toEqual([]);
-            } finally {
-                await visitor.close();
-            }
+            const page = await visits.come({ viewport, colorScheme, bypassCSP: true });
+            await prepare?.(page);
+            await page.goto(`${visits.collection.origin}/${hash}`);
+            await reach(page);
+            expect(await violations(page)).toEqual([]);
         });
     });
 });

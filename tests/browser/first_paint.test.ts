@@ -1,25 +1,15 @@
 import { gzipSync } from 'node:zlib';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
-import { visit } from './visitor';
+import { Visits } from './visits';
 
 /** Of code and styles, packed, before anything is seen. */
 const kMostBytes = 25_000;
 
-let collection: ServedCollection;
-
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
+const visits = new Visits();
 
 it('the start page is there before the viewer, the results and the charts are', async () => {
-    const visitor = await visit(collection.browser, collection.origin);
-    const { page } = visitor;
+    const page = await visits.come();
     const bytes = new Map<string, number>();
     const late: string[] = [];
     let loaded = false;
@@ -37,7 +27,7 @@ it('the start page is there before the viewer, the results and the charts are', 
     await page.addInitScript(() => {
         globalThis.requestIdleCallback = () => 0;
     });
-    await page.goto(`${collection.origin}/#/`);
+    await page.goto(`${visits.collection.origin}/#/`);
     await page.locator('.collection .thumbnail-ready').first().waitFor();
     const sum = [...bytes.values()].reduce((total, size) => total + size, 0);
     expect(bytes.size).toBeGreaterThan(2);
@@ -46,14 +36,12 @@ it('the start page is there before the viewer, the results and the charts are', 
     await page.getByRole('link', { name: 'Reports' }).click();
     await page.locator('.metrics-table tbody tr').first().waitFor();
     expect(late.some((path) => path.includes('reports_page'))).toBe(true);
-    expect(visitor.complaints).toEqual([]);
-    await visitor.close();
+    expect(visits.visitor.complaints).toEqual([]);
 });
 
 it('pictures that were seen are not asked for again', async () => {
-    const visitor = await visit(collection.browser, collection.origin);
-    const { page } = visitor;
-    await page.goto(`${collection.origin}/#/`);
+    const page = await visits.come();
+    await page.goto(`${visits.collection.origin}/#/`);
     await page.locator('.collection .thumbnail-ready').first().waitFor();
     await page.reload();
     await page.locator('.collection .thumbnail-ready').first().waitFor();
@@ -65,5 +53,4 @@ it('pictures that were seen are not asked for again', async () => {
     );
     expect(kept.length).toBeGreaterThan(0);
     expect(kept).toEqual(kept.map(() => 0));
-    await visitor.close();
 });

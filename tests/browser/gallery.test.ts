@@ -1,33 +1,18 @@
 import type { BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
 import { kClasses, kModelsPerClass } from './models';
 import { changedPixels, looksOf, pictureOf, redShare, untilDrawn } from './pictures';
-import { kPatienceMs, type Visitor, visit } from './visitor';
+import { kPatienceMs } from './visitor';
+import { Visits } from './visits';
 
 const kModels = kClasses.length * kModelsPerClass;
 const kSmall = { width: 1000, height: 480 };
 
-let collection: ServedCollection;
-let visitor: Visitor;
-
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
-
-afterEach(async () => {
-    await visitor?.close();
-});
+const visits = new Visits();
 
 async function open(hash = '#/', options: BrowserContextOptions = {}): Promise<Page> {
-    visitor = await visit(collection.browser, collection.origin, options);
-    await visitor.page.goto(`${collection.origin}/${hash}`);
-    return visitor.page;
+    return visits.open(hash, options);
 }
 
 async function upload(page: Page, file: string): Promise<void> {
@@ -37,8 +22,8 @@ async function upload(page: Page, file: string): Promise<void> {
 }
 
 function expectGoodManners(): void {
-    expect(visitor.complaints).toEqual([]);
-    expect(visitor.strangers).toEqual([]);
+    expect(visits.visitor.complaints).toEqual([]);
+    expect(visits.visitor.strangers).toEqual([]);
 }
 
 /** Presses Tab until the element that `selector` names has the focus. */
@@ -93,24 +78,24 @@ describe('the start page', () => {
 
     it('shows the code of an upload that is cut off, and still takes a good one', async () => {
         const page = await open();
-        await upload(page, collection.models.truncated);
+        await upload(page, visits.collection.models.truncated);
         const code = page.locator('.notice-code');
         await code.waitFor();
         expect(await code.textContent()).toMatch(/^[a-z]+(_[a-z]+)+$/);
         expect(await code.textContent()).toContain('truncated');
-        expect(page.url()).toBe(`${collection.origin}/#/`);
+        expect(page.url()).toBe(`${visits.collection.origin}/#/`);
         // The browser itself reports the refusal, and nothing else may be wrong.
-        expect(visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
-        await upload(page, collection.models.query);
+        expect(visits.visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
+        await upload(page, visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
-        expect(visitor.strangers).toEqual([]);
+        expect(visits.visitor.strangers).toEqual([]);
     });
 });
 
 describe('a search by upload', () => {
     it('leads to hits with pictures, to the 3D comparison and to the reports', async () => {
         const page = await open();
-        await upload(page, collection.models.query);
+        await upload(page, visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
         expect(await page.locator('.hit-card').count()).toBe(kModels);
@@ -150,7 +135,7 @@ describe('a search by upload', () => {
 
     it('asks for other options without sending it again, and one step back leads away', async () => {
         const page = await open();
-        await upload(page, collection.models.query);
+        await upload(page, visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
         const address = page.url();
@@ -173,7 +158,7 @@ describe('a search by upload', () => {
 
     it('survives a reload, and has parts and a pose', async () => {
         const page = await open();
-        await upload(page, collection.models.query);
+        await upload(page, visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
         await page.reload();
         await page.locator('.hit-card').first().waitFor();
@@ -277,12 +262,11 @@ describe('the 3D comparison', () => {
     });
 
     it('keeps its tables where there is no WebGL', async () => {
-        visitor = await visit(collection.browser, collection.origin);
-        const { page } = visitor;
+        const page = await visits.come();
         await page.addInitScript(() => {
             HTMLCanvasElement.prototype.getContext = () => null;
         });
-        await page.goto(`${collection.origin}/#/models/${kModels}`);
+        await page.goto(`${visits.collection.origin}/#/models/${kModels}`);
         await page.locator('.hit-card a').first().click();
         await page.locator('dialog .no-webgl').waitFor();
         expect(await page.locator('.match-table tbody tr').count()).toBeGreaterThan(0);
@@ -293,7 +277,7 @@ describe('the 3D comparison', () => {
 describe('a model whose file has colours', () => {
     it('is shown in them, and without them by a switch', async () => {
         const page = await open('#/', { viewport: kSmall });
-        await upload(page, collection.models.painted);
+        await upload(page, visits.collection.models.painted);
         const canvas = page.locator('.query-picture canvas');
         await canvas.waitFor({ timeout: kPatienceMs });
         const painted = await pictureOf(canvas);
@@ -422,7 +406,7 @@ describe('the parts of a model', () => {
         expect(await changedPixels(rest, await modelIn(page), page)).toBe(0);
         await page.keyboard.press('Escape');
         await page.locator('dialog').waitFor({ state: 'detached' });
-        expect(page.url()).toBe(`${collection.origin}/#/models/${kModels}`);
+        expect(page.url()).toBe(`${visits.collection.origin}/#/models/${kModels}`);
         expectGoodManners();
     });
 
@@ -447,7 +431,7 @@ describe('the parts of a model', () => {
         await page.unroute('**/rig.glb');
         await page.getByRole('button', { name: 'Try again' }).click();
         await page.locator('.part-legend tbody tr').first().waitFor();
-        expect(visitor.strangers).toEqual([]);
+        expect(visits.visitor.strangers).toEqual([]);
     });
 });
 
@@ -481,7 +465,7 @@ describe('without a mouse', () => {
         const chooser = page.waitForEvent('filechooser');
         await tabTo(page, '.drop-zone button');
         await page.keyboard.press('Enter');
-        await (await chooser).setFiles(collection.models.query);
+        await (await chooser).setFiles(visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
         await page.locator('.hit-card').first().waitFor();
         expectGoodManners();
@@ -504,7 +488,7 @@ describe('any page', () => {
             );
             expect(overflow).toBe(0);
             expectGoodManners();
-            await visitor.close();
+            await visits.visitor.close();
         }
     });
 });

@@ -1,31 +1,18 @@
 import type { Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { afterEach, expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
-import { type Visitor, visit } from './visitor';
+import { Visits } from './visits';
 
 const kLow = { width: 420, height: 500 };
 
-let collection: ServedCollection;
-let visitor: Visitor;
+const visits = new Visits();
 
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
-
-afterEach(async () => {
-    expect(visitor.complaints).toEqual([]);
-    await visitor?.close();
+afterEach(() => {
+    expect(visits.visitor.complaints).toEqual([]);
 });
 
 async function open(hash: string): Promise<Page> {
-    visitor = await visit(collection.browser, collection.origin, { viewport: kLow });
-    await visitor.page.goto(`${collection.origin}/${hash}`);
-    return visitor.page;
+    return visits.open(hash, { viewport: kLow });
 }
 
 function focused(page: Page): Promise<string | null> {
@@ -82,7 +69,7 @@ it('a shared address of a comparison closes onto its hits', async () => {
     await page.locator('dialog .match-table').waitFor();
     await page.getByRole('button', { name: 'Close' }).click();
     await page.locator('dialog').waitFor({ state: 'detached' });
-    expect(page.url()).toBe(`${collection.origin}/#/models/1`);
+    expect(page.url()).toBe(`${visits.collection.origin}/#/models/1`);
 });
 
 it('the collection is found where it was left, with the focus on the same model', async () => {

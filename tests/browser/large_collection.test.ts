@@ -1,33 +1,21 @@
 import type { Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { afterEach, expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
-import { type Visitor, visit } from './visitor';
+import { Visits } from './visits';
 
 const kTotal = 100_000;
 
-let collection: ServedCollection;
-let visitor: Visitor;
+const visits = new Visits();
 
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
-
-afterEach(async () => {
-    expect(visitor.complaints).toEqual([]);
-    await visitor?.close();
+afterEach(() => {
+    expect(visits.visitor.complaints).toEqual([]);
 });
 
 /** The real server's first model as each of a hundred thousand. */
 async function open(hash = '#/'): Promise<{ page: Page; asked: URL[] }> {
-    visitor = await visit(collection.browser, collection.origin);
-    const { page } = visitor;
+    const page = await visits.come();
     const asked: URL[] = [];
-    const response = await page.request.get(`${collection.origin}/v1/models?limit=1`);
+    const response = await page.request.get(`${visits.collection.origin}/v1/models?limit=1`);
     const [model] = (await response.json()).models;
     await page.route('**/v1/models?*', (route) => {
         const url = new URL(route.request().url());
@@ -41,7 +29,7 @@ async function open(hash = '#/'): Promise<{ page: Page; asked: URL[] }> {
         });
         return route.fulfill({ json: { models, next_cursor: null, total, revision: 1 } });
     });
-    await page.goto(`${collection.origin}/${hash}`);
+    await page.goto(`${visits.collection.origin}/${hash}`);
     await page.locator('.virtual-grid .card-link').first().waitFor();
     return { page, asked };
 }
@@ -121,7 +109,7 @@ it('says where the hand is that a page did not arrive, and asks again', async ()
             /model 5\d{4}/.test(name.textContent ?? ''),
         ),
     );
-    visitor.complaints.length = 0;
+    visits.visitor.complaints.length = 0;
 });
 
 it('finds a model by its name as one types', async () => {

@@ -1,33 +1,18 @@
 import type { Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { describe, expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
 import { layoutFaults } from './layout_faults';
 import { kStateNames, pageStates, type State, seen } from './page_states';
-import { type Visitor, visit } from './visitor';
+import { Visits } from './visits';
 
 const kNarrow = { width: 320, height: 700 };
 
-let collection: ServedCollection;
-let visitor: Visitor;
-
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
-
-afterEach(async () => {
-    await visitor?.close();
-});
+const visits = new Visits();
 
 async function reach({ hash, prepare, reach: arrive }: State): Promise<Page> {
-    visitor = await visit(collection.browser, collection.origin, { viewport: kNarrow });
-    const { page } = visitor;
+    const page = await visits.come({ viewport: kNarrow });
     await prepare?.(page);
-    await page.goto(`${collection.origin}/${hash}`);
+    await page.goto(`${visits.collection.origin}/${hash}`);
     await arrive(page);
     return page;
 }
@@ -44,7 +29,7 @@ it('would notice a grid that insists on the width of its contents', async () => 
 
 describe(`at ${kNarrow.width} px, whatever the width of letters`, () => {
     it.each(kStateNames)('nothing sticks out of %s', async (name) => {
-        const page = await reach(pageStates(collection.models)[name] as State);
+        const page = await reach(pageStates(visits.collection.models)[name] as State);
         expect(await layoutFaults(page)).toEqual([]);
     });
 });

@@ -1,40 +1,24 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 
-import { type ServedCollection, serveCollection } from './collection';
-import { type Visitor, visit } from './visitor';
+import { Visits } from './visits';
 
-let collection: ServedCollection;
-let visitor: Visitor;
-
-beforeAll(async () => {
-    collection = await serveCollection();
-});
-
-afterAll(async () => {
-    await collection?.stop();
-});
-
-afterEach(async () => {
-    await visitor?.close();
-});
+const visits = new Visits();
 
 async function open(hash: string): Promise<Page> {
-    visitor = await visit(collection.browser, collection.origin);
-    await visitor.page.goto(`${collection.origin}/${hash}`);
-    return visitor.page;
+    return visits.open(hash);
 }
 
 function expectGoodManners(): void {
-    expect(visitor.complaints).toEqual([]);
-    expect(visitor.strangers).toEqual([]);
+    expect(visits.visitor.complaints).toEqual([]);
+    expect(visits.visitor.strangers).toEqual([]);
 }
 
 /** What a browser does when files are let go over `selector`, or pasted there. */
 async function give(page: Page, type: 'drop' | 'paste', selector: string, names: string[]) {
-    const text = readFileSync(collection.models.query, 'utf8');
+    const text = readFileSync(visits.collection.models.query, 'utf8');
     await page.locator(selector).first().waitFor();
     return page.evaluate(
         ([event, where, model, list]) => {
@@ -103,10 +87,10 @@ it('several files become a row, each with its results', async () => {
 it('a file that changed on the disk before it was sent is named as what is wrong', async () => {
     const page = await open('#/models/1');
     const paths = ['first.off', 'changed.off'].map((name) =>
-        join(collection.models.folder, '..', name),
+        join(visits.collection.models.folder, '..', name),
     );
     for (const path of paths) {
-        writeFileSync(path, readFileSync(collection.models.query));
+        writeFileSync(path, readFileSync(visits.collection.models.query));
     }
     // The first holds the others up until the second is another one on the disk.
     const sent = signal();
@@ -126,7 +110,7 @@ it('a file that changed on the disk before it was sent is named as what is wrong
     expect(await problem.textContent()).toContain('changed.off');
     await problem.getByRole('button').click();
     await problem.waitFor({ state: 'detached' });
-    expect(visitor.strangers).toEqual([]);
+    expect(visits.visitor.strangers).toEqual([]);
 });
 
 it('an upload that the server has forgotten is sent again by the page that has it', async () => {
@@ -145,5 +129,5 @@ it('an upload that the server has forgotten is sent again by the page that has i
         (url) => url.hash.startsWith('#/q/') && !before.includes(url.hash.slice(4, 36)),
     );
     await page.locator('.hit-card').first().waitFor();
-    expect(visitor.strangers).toEqual([]);
+    expect(visits.visitor.strangers).toEqual([]);
 });
