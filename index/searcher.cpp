@@ -33,10 +33,9 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
     // the class that is looked for: they are judged by the whole collection.
     ranking::NearestOptions nearest;
     nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
-    // Each copy may take a place that another model is to have; in collections that are mostly
-    // copies the list may then end early.
-    constexpr std::size_t kMostCopies = 1000;
-    if (options.fold_copies) nearest.count += std::min(snapshot.redundant(), kMostCopies);
+    // Each copy may take a place that another model is to have; in large collections that are
+    // mostly copies the list may then end early.
+    if (options.fold_copies) nearest.spare = snapshot.redundant();
     std::vector<std::uint32_t> of_class;
     if (!options.class_filter.empty()) {
         for (std::uint32_t i = 0; i < snapshot.size(); ++i) {

@@ -133,7 +133,7 @@ Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& q
     } else {
         for (std::size_t i = 0; i < distances->size(); ++i) models.push_back({i, (*distances)[i]});
     }
-    keep_nearest(models, nearest.count);
+    keep_nearest(models, nearest.count + nearest.spare);
     return models;
 }
 
@@ -206,7 +206,7 @@ Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescripto
         search.rerank_models(models);
     }
     if (options.stop.stop_requested()) return cancelled();
-    keep_nearest(models, nearest.count);
+    keep_nearest(models, nearest.count + nearest.spare);
     return models;
 }
 

@@ -40,6 +40,9 @@ struct RankedModel {
 
 struct NearestOptions {
     std::size_t count = 10;  ///< models wanted
+    /// So many more, as far as the finalists go, for who leaves some of them out. They do not make
+    /// a search exhaustive.
+    std::size_t spare = 0;
     /// Up to this many models all are measured, so that nothing can be missed.
     std::size_t exhaustive_below = 2000;
     std::size_t by_signature = 8000;  ///< models that pass the scan of signatures

@@ -36,7 +36,7 @@ std::vector<std::size_t> indices(const std::vector<RankedModel>& models) {
 
 /// Stages so narrow that a small collection goes through all of them.
 NearestOptions narrow() {
-    return {.count = 2, .exhaustive_below = 10, .by_signature = 30, .by_globals = 20};
+    return {.count = 2, .spare = 0, .exhaustive_below = 10, .by_signature = 30, .by_globals = 20};
 }
 
 TEST_F(PreselectionTest, ScansToTheNearestSignatures) {
@@ -106,6 +106,21 @@ TEST_F(PreselectionTest, TakesOnlyWhatItIsToldAtTheSameDistances) {
                 nearest_models(*all[4], all, preselection, statistics, options, nearest)->empty());
         }
     }
+}
+
+TEST_F(PreselectionTest, HasMoreToSpareWithoutLookingAtEverything) {
+    const auto all = collection();
+    const Preselection preselection(all);
+    const CollectionStatistics statistics = *collection_statistics(all);
+    NearestOptions nearest = narrow();
+    const auto wanted = *nearest_models(*all[6], all, preselection, statistics, {}, nearest);
+    nearest.spare = all.size();
+    const auto more = *nearest_models(*all[6], all, preselection, statistics, {}, nearest);
+    EXPECT_EQ(more.size(), nearest.by_globals);
+    EXPECT_EQ(indices({more.begin(), more.begin() + 2}), indices(wanted));
+    nearest.exhaustive_below = all.size();
+    nearest.spare = 3;
+    EXPECT_EQ(nearest_models(*all[6], all, preselection, statistics, {}, nearest)->size(), 5U);
 }
 
 TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
