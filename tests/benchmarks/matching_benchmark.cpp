@@ -3,6 +3,7 @@
 #include "engine/descriptor/describe.h"
 #include "engine/matching/match_chain_codes.h"
 #include "engine/matching/match_skeletons.h"
+#include "engine/ranking/pair_distances.h"
 #include "tests/benchmarks/workload.h"
 
 namespace ossuary::benchmarks {
@@ -37,6 +38,14 @@ void register_matching_benchmarks() {
                                          for (auto _ : state) {
                                              benchmark::DoNotOptimize(matching::chain_code_distance(
                                                  a.skeleton, b.skeleton, {}, workspace));
+                                         }
+                                     })
+            ->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(("pose_distance/" + workload).c_str(),
+                                     [i](benchmark::State& state) {
+                                         const auto [a, b] = pair_of(i);
+                                         for (auto _ : state) {
+                                             benchmark::DoNotOptimize(ranking::pose_distance(a, b));
                                          }
                                      })
             ->Unit(benchmark::kMicrosecond);
