@@ -85,7 +85,9 @@ describe('the start page', () => {
         expect(await code.textContent()).toContain('truncated');
         expect(page.url()).toBe(`${visits.collection.origin}/#/`);
         // The browser itself reports the refusal, and nothing else may be wrong.
-        expect(visits.visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual([]);
+        expect(visits.visitor.complaints.filter((text) => !text.includes('status of 4'))).toEqual(
+            [],
+        );
         await upload(page, visits.collection.models.query);
         await page.waitForURL('**/#/q/*');
         expect(visits.visitor.strangers).toEqual([]);
