@@ -6,7 +6,7 @@
 # web/tests/layering.test.ts.
 set -euo pipefail
 
-stages=(core mesh voxel skeleton chain_code matching descriptor ranking decomposition)
+stages=(core mesh voxel skeleton chain_code matching descriptor ranking registration decomposition)
 
 # Sets `rank` to that of the layer that a path lies in; empty for paths outside the layers (tests).
 layer() {
