@@ -9,7 +9,9 @@
 #include <cstring>
 
 #include "engine/core/whole_file.h"
+#include "engine/mesh/obj_materials.h"
 #include "engine/mesh/read_mesh.h"
+#include "engine/mesh/recognise_format.h"
 #include "index/content_hash.h"
 #include "index/reader/channel.h"
 
@@ -93,16 +95,26 @@ std::string_view string_value(std::string_view json, std::size_t& at) {
 
 /// What stands for a file that cannot be read is no hash.
 std::string hash_of(const Result<OwnedDescriptor>& file) {
-    struct stat status {};
-    if (!file || ::fstat(file->get(), &status) != 0) return "none";
-    WholeFile bytes(static_cast<std::size_t>(status.st_size));
-    if (!read_exactly(file->get(), bytes.data(), bytes.size(), 0)) return "none";
-    return content_hash(bytes.view());
+    if (!file) return "none";
+    const auto bytes = read_companion(*file);
+    return bytes ? content_hash(bytes->view()) : "none";
 }
 
 }  // namespace
 
+Result<WholeFile> read_companion(const OwnedDescriptor& file) {
+    struct stat status {};
+    if (::fstat(file.get(), &status) == 0) {
+        WholeFile bytes(static_cast<std::size_t>(status.st_size));
+        if (read_exactly(file.get(), bytes.data(), bytes.size(), 0)) return bytes;
+    }
+    return {ErrorCode::kFileUnreadable, "expected all of the file, found less"};
+}
+
 std::vector<std::string> referred_files(std::string_view bytes) {
+    if (mesh::recognise_format(bytes) == mesh::ModelFormat::kObj) {
+        return mesh::material_libraries(bytes);
+    }
     constexpr std::string_view kKey = "\"uri\"";
     const std::string_view json = json_of(bytes);
     std::vector<std::string> names;

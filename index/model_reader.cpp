@@ -17,6 +17,7 @@
 #include "engine/mesh/text_scanner.h"
 #include "engine/voxel/read_model.h"
 #include "index/companion_hash.h"
+#include "index/material_libraries.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
 
@@ -302,7 +303,10 @@ Result<mesh::ReadMeshResult> ModelReader::read(const Source& source,
         return read(Source{model->bytes.view(), model->name, model->companions}, options, stop);
     }
     if (!is_foreign(format) || !fits) {
-        return voxel::read_model(source.bytes, source.name, options, stop);
+        auto read = voxel::read_model(source.bytes, source.name, options, stop);
+        if (read && !read->materials.empty())
+            colour_by_libraries(*read, source.bytes, source.companions);
+        return read;
     }
     const bool is_cad = format == mesh::ModelFormat::kStep || format == mesh::ModelFormat::kIges;
     auto process =

@@ -77,6 +77,14 @@ Colour colour_at(const CornerColours& colours, const Vec3& weights) {
     return colour;
 }
 
+bool is_white(const TriangleMesh& mesh) {
+    constexpr Colour kWhite = {255, 255, 255};
+    const auto& colours = mesh.corner_colours;
+    return !colours.empty() && std::all_of(colours.begin(), colours.end(), [&](const auto& each) {
+        return each == CornerColours{kWhite, kWhite, kWhite};
+    });
+}
+
 bool has_flat_colours(const TriangleMesh& mesh) {
     return std::all_of(
         mesh.corner_colours.begin(), mesh.corner_colours.end(),

@@ -9,6 +9,9 @@ namespace ossuary::mesh {
 /// Whether each triangle has one colour, so that colours change at edges only.
 [[nodiscard]] bool has_flat_colours(const TriangleMesh& mesh);
 
+/// Whether a mesh has colours that are all white, as of a scene whose materials say nothing.
+[[nodiscard]] bool is_white(const TriangleMesh& mesh);
+
 /// The colours of a mesh on a coarser copy of it. Where its triangles have one colour each, so have
 /// those of the copy: that of the triangle nearest to the middle, of sheets that lie together the
 /// one that faces the same way. Else the copy's vertices have the colour of the point of the mesh

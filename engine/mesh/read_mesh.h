@@ -46,6 +46,8 @@ struct ReadMeshResult {
     /// In their order, of formats that have them: 3MF, glTF, COLLADA, X3D, AMF, FBX, STEP, IGES,
     /// OBJ, STL as text.
     std::vector<ModelObject> objects = {};
+    /// What triangles are made of, in their order, where an OBJ file says it (`usemtl`).
+    std::vector<ModelObject> materials = {};
 };
 
 /// Reads a model file; the format follows its contents, not its name: OFF and relatives, STL, OBJ,

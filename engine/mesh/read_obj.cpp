@@ -25,6 +25,7 @@ enum class ObjStatement {
     kFace,
     kObject,
     kGroup,
+    kMaterial,
     kLineOrPoint,
     kFreeForm,
     kIgnored,
@@ -33,11 +34,11 @@ enum class ObjStatement {
 
 ObjStatement statement_of(std::string_view word) {
     constexpr std::array<std::string_view, 5> kFreeForm = {"curv", "curv2", "surf", "bzp", "bsp"};
-    constexpr std::array<std::string_view, 30> kIgnored = {
-        "vn",       "vt",     "vp",         "s",         "mg",   "mtllib", "usemtl",   "usemap",
-        "lod",      "maplib", "shadow_obj", "trace_obj", "call", "csh",    "c_interp", "bevel",
-        "d_interp", "ctech",  "stech",      "cstype",    "deg",  "bmat",   "step",     "parm",
-        "trim",     "hole",   "scrv",       "sp",        "con",  "end"};
+    constexpr std::array<std::string_view, 29> kIgnored = {
+        "vn",     "vt",         "vp",        "s",    "mg",   "mtllib",   "usemap", "lod",
+        "maplib", "shadow_obj", "trace_obj", "call", "csh",  "c_interp", "bevel",  "d_interp",
+        "ctech",  "stech",      "cstype",    "deg",  "bmat", "step",     "parm",   "trim",
+        "hole",   "scrv",       "sp",        "con",  "end"};
     const auto is_among = [&](const auto& words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
@@ -45,6 +46,7 @@ ObjStatement statement_of(std::string_view word) {
     if (word == "f" || word == "fo") return ObjStatement::kFace;
     if (word == "o") return ObjStatement::kObject;
     if (word == "g") return ObjStatement::kGroup;
+    if (word == "usemtl") return ObjStatement::kMaterial;
     if (word == "l" || word == "p") return ObjStatement::kLineOrPoint;
     if (is_among(kFreeForm)) return ObjStatement::kFreeForm;
     return is_among(kIgnored) ? ObjStatement::kIgnored : ObjStatement::kUnknown;
@@ -119,6 +121,7 @@ private:
     NumberColours colours_;
     std::vector<ObjectMark> objects_;
     std::vector<ObjectMark> groups_;
+    std::vector<ObjectMark> materials_;
     std::size_t lines_and_points_ = 0;
     std::size_t free_form_ = 0;
     std::size_t unknown_ = 0;
@@ -256,6 +259,9 @@ Result<void> ObjReader::read_statement() {
         case ObjStatement::kGroup:
             begin_object(scanner, groups_);
             break;
+        case ObjStatement::kMaterial:
+            begin_object(scanner, materials_);
+            break;
         case ObjStatement::kLineOrPoint:
             ++lines_and_points_;
             break;
@@ -291,6 +297,7 @@ Result<ReadMeshResult> ObjReader::read() {
     ReadMeshResult read = builder_.take();
     // Groups tell of materials or of parts of objects where a file has both.
     read.objects = objects_between(objects_.empty() ? groups_ : objects_, read.mesh);
+    if (!materials_.empty()) read.materials = objects_between(materials_, read.mesh);
     return read;
 }
 

@@ -13,7 +13,8 @@ namespace ossuary::mesh {
 
 /// Reads a Wavefront OBJ file (Object Files, appendix B1 of the Advanced Visualizer's manual);
 /// `name` stands for the file in messages. All objects and groups are one mesh;
-/// its objects are those of the file, or its groups where it has no objects.
+/// its objects are those of the file, or its groups where it has no objects. `usemtl` says which
+/// material triangles have; whose colours they are another file says (obj_materials.h).
 ///
 /// Taken: `v` with whatever follows three coordinates: one number (w) is skipped, three or
 /// four are a colour; `f` with any number of corners,

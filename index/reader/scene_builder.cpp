@@ -1,7 +1,8 @@
 #include "index/reader/scene_builder.h"
 
-#include <algorithm>
 #include <utility>
+
+#include "engine/mesh/colours_on.h"
 
 namespace ossuary::index {
 
@@ -46,12 +47,7 @@ void SceneBuilder::end_object() {
 
 mesh::ReadMeshResult SceneBuilder::take() {
     mesh::ReadMeshResult read = builder_.take();
-    constexpr mesh::Colour kWhite = {255, 255, 255};
-    std::vector<mesh::CornerColours>& colours = read.mesh.corner_colours;
-    const bool all_white = std::all_of(colours.begin(), colours.end(), [&](const auto& corners) {
-        return corners == mesh::CornerColours{kWhite, kWhite, kWhite};
-    });
-    if (all_white) colours = {};
+    if (mesh::is_white(read.mesh)) read.mesh.corner_colours = {};
     read.objects = std::move(objects_);
     return read;
 }
