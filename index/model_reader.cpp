@@ -78,9 +78,13 @@ Result<T> named(Result<T> result, std::string_view name) {
     return Error{result.error().code, std::string(name) + ": " + result.error().message};
 }
 
-fs::path beside_this_program() {
+/// Beside the program, or where an installation has it.
+fs::path reader_program() {
     std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error).parent_path() / "ossuary-read";
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path installed = folder.parent_path() / "libexec/ossuary/ossuary-read";
+    const fs::path beside = folder / "ossuary-read";
+    return !fs::exists(beside, error) && fs::exists(installed, error) ? installed : beside;
 }
 
 /// A program of its own, since OpenCASCADE alone takes 40 ms to load. Where it was not built, the
@@ -98,7 +102,7 @@ ModelReader::ModelReader() : ModelReader(Options{}) {}
 
 ModelReader::ModelReader(Options options)
     : options_([&] {
-          if (options.program.empty()) options.program = beside_this_program();
+          if (options.program.empty()) options.program = reader_program();
           return std::move(options);
       }()) {}
 

@@ -46,7 +46,8 @@ class ModelReader {
 public:
     struct Options {
         ReaderLimits limits;
-        /// Where `ossuary-read` is; empty = beside the running program.
+        /// Where `ossuary-read` is; empty = beside the running program, else in
+        /// `../libexec/ossuary`.
         std::filesystem::path program;
         std::size_t kept = 4;  ///< processes that wait for work
     };

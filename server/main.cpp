@@ -1,4 +1,5 @@
 #include <malloc.h>
+#include <systemd/sd-daemon.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -60,6 +61,12 @@ std::string address(const ossuary::server::ServerOptions& options, int port) {
     return "http://" + (v6 ? "[" + options.host + "]" : options.host) + ":" + std::to_string(port);
 }
 
+/// Says what is wrong; the exit status.
+int failed(const ossuary::Error& error) {
+    std::cerr << "ossuary-server: " << to_string(error.code) << ": " << error.message << '\n';
+    return exit_status_for(error.code);
+}
+
 /// Runs until a signal, then lets what is under way finish, then asks what is left to stop.
 int serve(ossuary::server::Server& server, const ossuary::server::ServerOptions& options) {
     std::promise<ossuary::Result<void>> outcome;
@@ -71,16 +78,25 @@ int serve(ossuary::server::Server& server, const ossuary::server::ServerOptions&
     std::cout << "listening on " << address(options, server.port()) << std::endl;
     const sigset_t awaited = set_of({SIGINT, SIGTERM, SIGHUP, kEnded});
     int received = 0;
+    sd_notify(0, "READY=1");
     sigwait(&awaited, &received);
+    sd_notify(0, "STOPPING=1");
     server.stop();
     unblock_signals();
     if (ended.wait_for(options.drain_timeout) != std::future_status::ready) server.cancel();
     runner.join();
     const auto result = ended.get();
     if (result) return 0;
-    std::cerr << "ossuary-server: " << to_string(result.error().code) << ": "
-              << result.error().message << '\n';
+    failed(result.error());
     return kFailed;
+}
+
+int check_config(const ossuary::server::ServerOptions& options) {
+    std::cout << options.effective;
+    const auto checked = ossuary::server::Server::check(options);
+    if (!checked) return failed(checked.error());
+    std::cout << "# index, gallery and key can be used\n";
+    return 0;
 }
 
 }  // namespace
@@ -95,13 +111,10 @@ int main(int argc, char** argv) {
         std::error_code ignored;
         options.web = find_web_folder(std::filesystem::read_symlink("/proc/self/exe", ignored));
     }
+    if (options.check_config) return check_config(options);
     block_signals();
     auto server = Server::open(options);
-    if (!server) {
-        std::cerr << "ossuary-server: " << to_string(server.error().code) << ": "
-                  << server.error().message << '\n';
-        return exit_status_for(server.error().code);
-    }
+    if (!server) return failed(server.error());
     if (!is_loopback(options.host)) {
         std::cerr << "ossuary-server: warning: " << options.host
                   << " can be reached from other machines\n";

@@ -1,6 +1,13 @@
 #include "server/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace ossuary::server {
 namespace {
@@ -13,7 +20,14 @@ struct Seconds {
 };
 
 void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
+    app.set_config("--config", "", "a file of options, one a line: port = 8080");
+    app.allow_config_extras(CLI::config_extras_mode::error);
     app.add_option("--index", options.index, "the index to search")->required();
+    app.add_flag("--create", options.create, "make an empty index where there is none");
+    app.add_flag("--check-config", options.check_config,
+                 "say whether index, gallery and key can be used, and with which options; serve "
+                 "nothing")
+        ->configurable(false);
     app.add_option("--host", options.host, "address to listen on")->capture_default_str();
     app.add_option("--port", options.port, "port to listen on; 0 picks a free one")
         ->check(CLI::Range(0, 65535))
@@ -21,7 +35,10 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
     app.add_option("--web", options.web,
                    "folder of the gallery's built files (default: web/dist above the program)");
     app.add_option("--allow-host", options.allowed_hosts,
-                   "a further name that requests may call this server by, e.g. behind a proxy");
+                   "a further name that requests may call this server by, e.g. behind a proxy; "
+                   "several with commas between")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--threads", options.http.threads, "connections served at once")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
@@ -68,6 +85,35 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
     app.add_flag("--log-json", options.log.json, "log one JSON object a line");
 }
 
+/// OSSUARY_MAX_UPLOAD_BYTES for `max-upload-bytes`.
+std::string variable_of(std::string_view option) {
+    std::string name = "OSSUARY_";
+    for (const char c : option) name += c == '-' ? '_' : static_cast<char>(c - 'a' + 'A');
+    return name;
+}
+
+/// What the environment says, as words of the command line.
+std::vector<std::string> environment_arguments(const CLI::App& app) {
+    std::vector<std::string> arguments;
+    for (const CLI::Option* option : app.get_options()) {
+        const bool is_setting = option->get_configurable() || option == app.get_config_ptr();
+        if (!is_setting || option->get_lnames().empty()) continue;
+        const std::string& name = option->get_lnames().front();
+        const char* value = std::getenv(variable_of(name).c_str());
+        if (value != nullptr && *value != '\0') arguments.push_back("--" + name + "=" + value);
+    }
+    return arguments;
+}
+
+/// Those of the environment come first, so that those of the command line win.
+void parse(CLI::App& app, const std::vector<std::string>& environment, int argc,
+           const char* const* argv) {
+    std::vector<std::string> arguments = environment;
+    arguments.insert(arguments.end(), argv + std::min(argc, 1), argv + argc);
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+    app.parse(std::move(arguments));
+}
+
 }  // namespace
 
 ParsedOptions parse_options(int argc, const char* const* argv) {
@@ -79,11 +125,24 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
         std::chrono::duration_cast<std::chrono::seconds>(parsed.options.http.request_timeout);
     Seconds seconds{request.count(), parsed.options.drain_timeout.count(),
                     parsed.options.model_timeout.count()};
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app.footer(
+        "Each option may stand in the file of --config, and in the environment: --port as "
+        "OSSUARY_PORT. The command line wins over the environment, that over the file.");
     add_options(app, parsed.options, seconds);
+    const std::vector<std::string> environment = environment_arguments(app);
     try {
-        app.parse(argc, argv);
+        parse(app, environment, argc, argv);
     } catch (const CLI::ParseError& outcome) {
         parsed.exit_status = app.exit(outcome) == 0 ? 0 : kUsage;
+        if (outcome.get_exit_code() == static_cast<int>(CLI::ExitCodes::ConfigError)) {
+            std::cerr << "The file of --config has an option that there is not.\n";
+        }
+        if (parsed.exit_status != 0 && !environment.empty()) {
+            std::cerr << "From the environment:";
+            for (const std::string& argument : environment) std::cerr << ' ' << argument;
+            std::cerr << '\n';
+        }
         return parsed;
     }
     parsed.options.http.request_timeout = std::chrono::seconds(seconds.request);
@@ -91,6 +150,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
     parsed.options.model_timeout = std::chrono::seconds(seconds.model);
     // Four uploads of the largest size at once, whatever that size is.
     parsed.options.http.max_bodies = 4 * parsed.options.http.max_body;
+    parsed.options.effective = app.config_to_str(true);
     parsed.run = true;
     return parsed;
 }

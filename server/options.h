@@ -14,6 +14,8 @@ namespace ossuary::server {
 /// What the command line says.
 struct ServerOptions {
     std::filesystem::path index;
+    bool create = false;        ///< an empty index where there is none
+    bool check_config = false;  ///< say what would be done, and do not serve
     std::string host = "127.0.0.1";
     int port = 8080;
     std::filesystem::path web;               ///< empty: looked for beside the program
@@ -28,6 +30,7 @@ struct ServerOptions {
     std::chrono::seconds model_timeout{600};  ///< to describe an uploaded model; 0 = for ever
     std::chrono::seconds drain_timeout{30};
     LogOptions log;
+    std::string effective;  ///< all options with their values, in the form of a configuration file
 };
 
 /// What `parse_options` found: options to run with, or an exit status after having printed why.
@@ -37,6 +40,8 @@ struct ParsedOptions {
     int exit_status = 0;
 };
 
+/// Options come from a file (`--config`), from the environment, where `--max-upload-bytes` is
+/// OSSUARY_MAX_UPLOAD_BYTES, and from the command line; the later win.
 ParsedOptions parse_options(int argc, const char* const* argv);
 
 /// Where the gallery's built files are when the command line does not say: `web/dist` in a folder

@@ -17,6 +17,33 @@ std::string random_word() {
     return std::to_string(random()) + "-" + std::to_string(random());
 }
 
+/// What is there before a server is.
+struct Opened {
+    std::string key;
+    StaticFiles files;
+    index::Searcher searcher;
+};
+
+Result<Opened> open_all(const ServerOptions& options) {
+    auto key = read_admin_key(options.admin_key_file);
+    if (!key) return key.error();
+    // Before the index: a file that is read while a store has it open costs the store its locks.
+    StaticFiles files;
+    if (!options.web.empty()) {
+        auto loaded = StaticFiles::load(options.web);
+        if (!loaded) return loaded.error();
+        files = *std::move(loaded);
+    }
+    std::error_code fault;
+    if (options.create && !std::filesystem::exists(options.index, fault)) {
+        const auto created = index::Store::create_or_open(options.index, {});
+        if (!created) return created.error();
+    }
+    auto searcher = index::Searcher::open(options.index);
+    if (!searcher) return searcher.error();
+    return Opened{*std::move(key), std::move(files), *std::move(searcher)};
+}
+
 }  // namespace
 
 /// In the order of construction; what requests use outlives the HTTP server.
@@ -56,29 +83,27 @@ Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
 Server::~Server() = default;
 
+Result<void> Server::check(const ServerOptions& options) {
+    auto opened = open_all(options);
+    if (!opened) return opened.error();
+    return {};
+}
+
 Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
-    auto key = read_admin_key(options.admin_key_file);
-    if (!key) return key.error();
-    // Before the index: a file that is read while a store has it open costs the store its locks.
-    StaticFiles files;
-    if (!options.web.empty()) {
-        auto loaded = StaticFiles::load(options.web);
-        if (!loaded) return loaded.error();
-        files = *std::move(loaded);
-    }
-    auto searcher = index::Searcher::open(options.index);
-    if (!searcher) return searcher.error();
-    searcher->store().follow_replacements();
+    auto opened = open_all(options);
+    if (!opened) return opened.error();
+    auto& [key, files, searcher] = *opened;
+    searcher.store().follow_replacements();
     // Loaded now, so that the first search does not wait for it and a damaged index shows here.
-    const auto snapshot = searcher->snapshot();
+    const auto snapshot = searcher.snapshot();
     if (!snapshot) return snapshot.error();
 
-    auto parts = std::make_unique<Parts>(options, *std::move(searcher), std::move(files));
+    auto parts = std::make_unique<Parts>(options, std::move(searcher), std::move(files));
     Log& log = parts->log;
     log.info(options.index.string() + ": " + std::to_string((*snapshot)->size()) +
              " models, revision " + std::to_string((*snapshot)->revision()));
     if (parts->files.size() == 0) log.warn("no gallery: its built files were not found (--web)");
-    if (!key->empty()) {
+    if (!key.empty()) {
         auto store = index::Store::open(options.index, index::Access::kReadWrite);
         if (!store) return store.error();
         auto second = index::Store::open(options.index, index::Access::kReadWrite);
@@ -86,7 +111,7 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
         Jobs::Limits limits;
         limits.waiting.waiting_bytes = options.http.max_bodies;
         limits.model_timeout_seconds = static_cast<double>(options.model_timeout.count());
-        parts->service.admin_key = *std::move(key);
+        parts->service.admin_key = std::move(key);
         using When = StatisticsUpdater::When;
         parts->service.statistics =
             std::make_unique<StatisticsUpdater>(*std::move(second), parts->searcher, log);

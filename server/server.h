@@ -13,6 +13,8 @@ public:
     /// Opens the index and binds the port. Errors: those of Searcher::open, of the administrator's
     /// key, of the gallery's folder when one was named, and of the address.
     static Result<std::unique_ptr<Server>> open(const ServerOptions& options);
+    /// Opens all that `open` opens but the port, and lets go of it. Errors: those of `open`.
+    static Result<void> check(const ServerOptions& options);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

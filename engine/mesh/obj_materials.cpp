@@ -75,8 +75,8 @@ std::vector<std::string> material_libraries(std::string_view obj) {
     constexpr std::string_view kNewlines = "\r\n";
     constexpr std::size_t kMostNames = 1000;
     std::vector<std::string> names;
-    for (std::size_t at = obj.find(kWord); at != std::string_view::npos && names.size() < kMostNames;
-         at = obj.find(kWord, at)) {
+    for (std::size_t at = obj.find(kWord);
+         at != std::string_view::npos && names.size() < kMostNames; at = obj.find(kWord, at)) {
         const std::size_t before = at == 0 ? at : obj.find_last_not_of(kBlanks, at - 1);
         const bool begins_line = at == 0 || before == std::string_view::npos ||
                                  kNewlines.find(obj[before]) != std::string_view::npos;

@@ -9,7 +9,7 @@
 namespace ossuary::registration {
 namespace {
 
-constexpr double kTolerance = 0.005;    ///< of the diagonal: explained
+constexpr double kTolerance = 0.005;  ///< of the diagonal: explained
 constexpr std::size_t kRoughPoints = 96;
 constexpr std::size_t kRefinedPoints = 600;
 constexpr std::size_t kFinalists = 4;
@@ -84,9 +84,8 @@ SurfaceAgreement agreement(const Shape& source, const Shape& target, const Simil
     const double tolerance = kTolerance * diagonal;
     const OneSidedDistance there =
         distance_to(target.mesh(), target.triangles(), source.surface(), placement, tolerance);
-    const OneSidedDistance back =
-        distance_to(source.mesh(), source.triangles(), target.surface(), placement.inverse(),
-                    tolerance / placement.scale);
+    const OneSidedDistance back = distance_to(source.mesh(), source.triangles(), target.surface(),
+                                              placement.inverse(), tolerance / placement.scale);
     const auto share = [&](double forwards, double backwards) {
         return 100.0 * std::max(forwards, backwards * placement.scale) / diagonal;
     };
@@ -95,8 +94,8 @@ SurfaceAgreement agreement(const Shape& source, const Shape& target, const Simil
 }
 
 Alignment align(const Shape& source, const Shape& target, const MotionKind& kind) {
-    Found best = best_of(source, target,
-                         axis_candidates(source.surface(), target.surface(), kind), kind);
+    Found best =
+        best_of(source, target, axis_candidates(source.surface(), target.surface(), kind), kind);
     if (best.distance > kGood) {
         std::vector<Similarity> starts;
         for (const FeatureCandidate& candidate :

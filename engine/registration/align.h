@@ -31,8 +31,8 @@ private:
 
 /// How near two surfaces are to each other once one is placed in the other.
 struct SurfaceAgreement {
-    double mean = 0.0;      ///< % of the target's diagonal; the greater of the two ways, as below
-    double most = 0.0;      ///< what 95 % of the points keep within
+    double mean = 0.0;  ///< % of the target's diagonal; the greater of the two ways, as below
+    double most = 0.0;  ///< what 95 % of the points keep within
     double greatest = 0.0;
     double source_explained = 0.0;  ///< shares of the area within .5 % of the diagonal
     double target_explained = 0.0;

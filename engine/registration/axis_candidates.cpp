@@ -8,8 +8,8 @@
 namespace ossuary::registration {
 namespace {
 
-constexpr double kAlike = 0.9;  ///< ratio of two moments from which they are alike
-constexpr int kStepsOfTurn = 24;      ///< about an axis around which the moments are alike
+constexpr double kAlike = 0.9;    ///< ratio of two moments from which they are alike
+constexpr int kStepsOfTurn = 24;  ///< about an axis around which the moments are alike
 
 struct Frame {
     Vec3 center = Vec3::Zero();
@@ -65,9 +65,8 @@ std::vector<Similarity> axis_candidates(const SurfacePoints& from, const Surface
     constexpr std::array<std::array<double, 2>, 4> kSigns{{{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
     const Frame a = frame_of(from);
     const Frame b = frame_of(to);
-    const double scale = kind.scale && a.moments.sum() > 0.0
-                             ? std::sqrt(b.moments.sum() / a.moments.sum())
-                             : 1.0;
+    const double scale =
+        kind.scale && a.moments.sum() > 0.0 ? std::sqrt(b.moments.sum() / a.moments.sum()) : 1.0;
     std::vector<Similarity> candidates;
     for (const Mat3& turn : open_turns(a.moments)) {
         for (const auto& [x, y] : kSigns) {

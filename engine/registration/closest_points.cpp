@@ -80,13 +80,12 @@ double median_distance(std::vector<Pair>& pairs) {
 }  // namespace
 
 Refined refine(const SurfacePoints& source, const SurfacePoints& target,
-               const NearestPoint& nearest, const Similarity& start,
-               const RefineOptions& options) {
+               const NearestPoint& nearest, const Similarity& start, const RefineOptions& options) {
     Refined refined{start};
     double reach = options.reach * target.diagonal;
     // Points of two samplings lie apart however well the surfaces meet.
-    const double spacing =
-        std::sqrt(target.area / static_cast<double>(std::max<std::size_t>(1, target.points.size())));
+    const double spacing = std::sqrt(
+        target.area / static_cast<double>(std::max<std::size_t>(1, target.points.size())));
     const double least_reach = std::max(options.least_reach * target.diagonal, spacing);
     for (int iteration = 0; iteration <= options.iterations; ++iteration) {
         auto pairs = pairs_within(source, target, nearest, refined.placement, reach);
@@ -103,8 +102,7 @@ Refined refine(const SurfacePoints& source, const SurfacePoints& target,
         if (iteration == options.iterations) break;
         const Vec7 motion = solve(pairs, center, target.diagonal, options.scale);
         if (!motion.allFinite()) return refined;
-        refined.placement =
-            compose(moved_by(motion, center, target.diagonal), refined.placement);
+        refined.placement = compose(moved_by(motion, center, target.diagonal), refined.placement);
         reach = std::clamp(kBeyondMost * median_distance(pairs), least_reach, reach);
         if (motion.norm() < 1e-7) break;
     }

@@ -8,10 +8,10 @@
 namespace ossuary::registration {
 namespace {
 
-constexpr double kAngle = 0.4;         ///< radians that two angles may differ by
-constexpr double kScaleSlack = 1.5;    ///< between what radii and what points say of the scale
-constexpr double kLeastApart = 0.2;    ///< two points of a pair, over the diagonal
-constexpr double kTogether = 0.08;     ///< points that are brought together, over the diagonal
+constexpr double kAngle = 0.4;       ///< radians that two angles may differ by
+constexpr double kScaleSlack = 1.5;  ///< between what radii and what points say of the scale
+constexpr double kLeastApart = 0.2;  ///< two points of a pair, over the diagonal
+constexpr double kTogether = 0.08;   ///< points that are brought together, over the diagonal
 constexpr std::size_t kMostTried = 600;
 
 struct PointMatch {
@@ -90,14 +90,12 @@ Similarity motion_of(const LocalFeatures& piece, const LocalFeatures& whole, con
                      const PointMatch& b, const MotionKind& kind) {
     const double apart = (piece.points[b.piece] - piece.points[a.piece]).norm();
     const double length = (whole.points[b.whole] - whole.points[a.whole]).norm();
-    const std::array<Vec3, 4> from{
-        piece.points[a.piece], piece.points[b.piece],
-        piece.points[a.piece] + 0.5 * apart * piece.normals[a.piece],
-        piece.points[b.piece] + 0.5 * apart * piece.normals[b.piece]};
-    const std::array<Vec3, 4> to{
-        whole.points[a.whole], whole.points[b.whole],
-        whole.points[a.whole] + 0.5 * length * whole.normals[a.whole],
-        whole.points[b.whole] + 0.5 * length * whole.normals[b.whole]};
+    const std::array<Vec3, 4> from{piece.points[a.piece], piece.points[b.piece],
+                                   piece.points[a.piece] + 0.5 * apart * piece.normals[a.piece],
+                                   piece.points[b.piece] + 0.5 * apart * piece.normals[b.piece]};
+    const std::array<Vec3, 4> to{whole.points[a.whole], whole.points[b.whole],
+                                 whole.points[a.whole] + 0.5 * length * whole.normals[a.whole],
+                                 whole.points[b.whole] + 0.5 * length * whole.normals[b.whole]};
     return fit_similarity(from, to, {.scale = kind.scale, .mirror = kind.mirror});
 }
 
@@ -152,8 +150,7 @@ std::vector<FeatureCandidate> feature_candidates(const LocalFeatures& piece,
     std::vector<FeatureCandidate> tried;
     for (const Two& two : agreeing) {
         FeatureCandidate candidate;
-        candidate.placement =
-            motion_of(piece, whole, matches[two.a], matches[two.b], options.kind);
+        candidate.placement = motion_of(piece, whole, matches[two.a], matches[two.b], options.kind);
         candidate.votes = votes_for(candidate.placement, piece, whole, matches, diagonal);
         tried.push_back(candidate);
     }

@@ -13,8 +13,8 @@ struct FeatureCandidateOptions {
     MotionKind kind;
     double least_scale = 0.0;  ///< with `kind.scale`: of the piece in the whole
     double most_scale = 1e300;
-    std::size_t matches = 4;   ///< places in the whole that each point of the piece may go to
-    std::size_t most = 6;      ///< candidates
+    std::size_t matches = 4;  ///< places in the whole that each point of the piece may go to
+    std::size_t most = 6;     ///< candidates
 };
 
 struct FeatureCandidate {

@@ -39,8 +39,8 @@ constexpr double kSmoothed = 0.4;  ///< of the radius: normals so near make the 
 /// A neighbour of a feature's point.
 struct Neighbor {
     double distance = 0.0;
-    double height = 0.0;  ///< sine of the angle above the tangent plane
-    double turn = 0.0;    ///< cosine of the angle between normals
+    double height = 0.0;              ///< sine of the angle above the tangent plane
+    double turn = 0.0;                ///< cosine of the angle between normals
     double cosine = 0.0, sine = 0.0;  ///< of the azimuth
 };
 
@@ -62,7 +62,8 @@ using Sums = std::array<std::array<double, LocalFeature::kPerShell + LocalFeatur
 
 /// Adds `weight` to the two bins of `count` over [-1, 1] that `value` lies between.
 void add_between(double* bins, std::size_t count, double value, double weight) {
-    const double place = 0.5 * (std::clamp(value, -1.0, 1.0) + 1.0) * static_cast<double>(count - 1);
+    const double place =
+        0.5 * (std::clamp(value, -1.0, 1.0) + 1.0) * static_cast<double>(count - 1);
     const auto low = std::min(static_cast<std::size_t>(place), count - 2);
     const double share = place - static_cast<double>(low);
     bins[low] += weight * (1.0 - share);
@@ -145,8 +146,8 @@ std::vector<Neighbor> neighbors_of(const SurfacePoints& surface,
 LocalFeature turned_over(const LocalFeature& feature) {
     LocalFeature other = feature;
     for (std::size_t shell = 0; shell < LocalFeature::kShells; ++shell) {
-        const auto first = other.values.begin() +
-                           static_cast<std::ptrdiff_t>(shell * LocalFeature::kPerShell);
+        const auto first =
+            other.values.begin() + static_cast<std::ptrdiff_t>(shell * LocalFeature::kPerShell);
         std::reverse(first, first + static_cast<std::ptrdiff_t>(kHeights));
     }
     return other;

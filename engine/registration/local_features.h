@@ -44,7 +44,8 @@ struct LocalFeatures {
 
 /// Features at `count` points that are spread as far from each other as they can be (farthest
 /// point sampling), for each of the radii (ascending, model units). Deterministic.
-[[nodiscard]] LocalFeatures local_features(const SurfacePoints& surface, const NearestPoint& nearest,
-                                           std::size_t count, std::vector<double> radii);
+[[nodiscard]] LocalFeatures local_features(const SurfacePoints& surface,
+                                           const NearestPoint& nearest, std::size_t count,
+                                           std::vector<double> radii);
 
 }  // namespace ossuary::registration

@@ -9,7 +9,7 @@ namespace ossuary::registration {
 
 /// x becomes scale * rotation * x + translation.
 struct Similarity {
-    double scale = 1.0;              ///< > 0
+    double scale = 1.0;                ///< > 0
     Mat3 rotation = Mat3::Identity();  ///< orthonormal; determinant -1 where it mirrors
     Vec3 translation = Vec3::Zero();
 

@@ -11,7 +11,7 @@ namespace ossuary::registration {
 /// How far points of one surface are from another one, in its units.
 struct OneSidedDistance {
     double mean = 0.0;
-    double most = 0.0;      ///< what 95 % of the points keep within
+    double most = 0.0;  ///< what 95 % of the points keep within
     double greatest = 0.0;
     double explained = 0.0;  ///< share of the points within the tolerance asked for
 };
@@ -22,7 +22,7 @@ struct OneSidedDistance {
 /// @pre there are points; `target` is of `mesh`
 [[nodiscard]] OneSidedDistance distance_to(const mesh::TriangleMesh& mesh,
                                            const mesh::NearestTriangle& target,
-                                           const SurfacePoints& source,
-                                           const Similarity& placement, double tolerance);
+                                           const SurfacePoints& source, const Similarity& placement,
+                                           double tolerance);
 
 }  // namespace ossuary::registration

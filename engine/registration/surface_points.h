@@ -13,10 +13,10 @@ namespace ossuary::registration {
 
 /// A surface as points spread evenly over its area.
 struct SurfacePoints {
-    std::vector<Vec3> points;   ///< model units
-    std::vector<Vec3> normals;  ///< one a point, unit length, outwards (mesh::mend_surface)
-    double area = 0.0;          ///< of the surface
-    double diagonal = 0.0;      ///< of its box
+    std::vector<Vec3> points;    ///< model units
+    std::vector<Vec3> normals;   ///< one a point, unit length, outwards (mesh::mend_surface)
+    double area = 0.0;           ///< of the surface
+    double diagonal = 0.0;       ///< of its box
     Vec3 center = Vec3::Zero();  ///< of the area
 };
 

@@ -62,7 +62,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(surface->vertices.size() <= caps.max_vertices);
     fuzz::require(surface->triangles.size() <= caps.max_faces);
     for (const auto& triangle : surface->triangles) {
-        for (const std::uint32_t vertex : triangle) fuzz::require(vertex < surface->vertices.size());
+        for (const std::uint32_t vertex : triangle)
+            fuzz::require(vertex < surface->vertices.size());
     }
     for (const Vec3& vertex : surface->vertices) fuzz::require(vertex.allFinite());
     return 0;

@@ -6,9 +6,9 @@
 
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/read_mesh.h"
+#include "tests/engine/registration/odd_body.h"
 #include "tests/support/benchmark_data.h"
 #include "tests/support/random.h"
-#include "tests/engine/registration/odd_body.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary::registration {
@@ -70,9 +70,8 @@ TEST(Align, MirroredCopiesAlignOnlyMirrored) {
 TEST(Align, OtherTrianglesOfTheSameSurfaceAgree) {
     const mesh::TriangleMesh body = odd_body();
     const Shape shape(body);
-    const mesh::TriangleMesh coarse =
-        mesh::decimate(moved(body, motion_of(9, 1.0, false)),
-                       {.max_triangles = body.triangles.size() / 3});
+    const mesh::TriangleMesh coarse = mesh::decimate(moved(body, motion_of(9, 1.0, false)),
+                                                     {.max_triangles = body.triangles.size() / 3});
     expect_on_each_other(align(shape, Shape(coarse)).agreement, 0.3);
 }
 
@@ -125,8 +124,8 @@ TEST(Align, IsTheSameEveryTime) {
 TEST(Align, RealModelsAlignWithMovedCopies) {
     OSSUARY_REQUIRE_BENCHMARK_DATA(data);
     for (const char* name : {"1", "21", "121", "285", "381"}) {
-        const auto read = mesh::read_mesh(data / "princeton-segmentation" / "off" /
-                                          (std::string(name) + ".off"));
+        const auto read =
+            mesh::read_mesh(data / "princeton-segmentation" / "off" / (std::string(name) + ".off"));
         if (!read) GTEST_SKIP() << read.error().message;
         const Shape shape(read->mesh);
         const mesh::TriangleMesh other = moved(read->mesh, motion_of(3, 25.4, false));

@@ -94,9 +94,9 @@ TEST(LocalFeatures, PointsAreSpread) {
 
 TEST(FeatureCandidates, PlaceAPieceInItsWhole) {
     // A limb with its branch off, the rest of the body being out of sight.
-    const mesh::TriangleMesh whole = test::merged(
-        odd_body(), test::merged(test::icosphere_mesh({-2, 0, 0}, 2.5, 3),
-                                 test::capsule_mesh({-3, 0, 0}, {-9, 6, 2}, 1.2)));
+    const mesh::TriangleMesh whole =
+        test::merged(odd_body(), test::merged(test::icosphere_mesh({-2, 0, 0}, 2.5, 3),
+                                              test::capsule_mesh({-3, 0, 0}, {-9, 6, 2}, 1.2)));
     const SurfacePoints target = surface_points(whole, {.count = 8192});
     const NearestPoint nearest(target.points);
     Similarity motion{0.3, test::random_rotation(8), Vec3(9, 8, 7)};
@@ -110,8 +110,8 @@ TEST(FeatureCandidates, PlaceAPieceInItsWhole) {
     double best = 1e300;
     for (const FeatureCandidate& candidate : candidates) {
         EXPECT_GE(candidate.votes, candidates.back().votes);
-        const Refined refined = refine(thinned_out(source, 300), target, nearest,
-                                       candidate.placement, {.scale = true});
+        const Refined refined =
+            refine(thinned_out(source, 300), target, nearest, candidate.placement, {.scale = true});
         const Vec3 corner(2, 5, 1);
         best = std::min(best, (refined.placement.point(motion.point(corner)) - corner).norm());
     }

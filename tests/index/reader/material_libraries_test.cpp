@@ -73,9 +73,9 @@ TEST_F(MaterialLibraries, AreWarnedOfWhereThereIsNoneOrTheyLieElsewhere) {
 }
 
 TEST_F(MaterialLibraries, AreFoundInAnArchive) {
-    const fs::path archive =
-        test::write_zip(folder_.path() / "toy.zip",
-                        {{"a/box.obj", obj("paints.mtl")}, {"a/paints.mtl", "newmtl paint\nKd 1 0 0\n"}});
+    const fs::path archive = test::write_zip(
+        folder_.path() / "toy.zip",
+        {{"a/box.obj", obj("paints.mtl")}, {"a/paints.mtl", "newmtl paint\nKd 1 0 0\n"}});
     EXPECT_TRUE(is_coloured(reader_.read(archive), {255, 0, 0}));
 }
 
