@@ -27,7 +27,7 @@ install(FILES packaging/server.conf DESTINATION /etc/ossuary)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ossuary)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "Ossuary <ossuary@localhost>")
+set(CPACK_PACKAGE_CONTACT "Ossuary <ossuary@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "search engine for 3D models, by their skeletons")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
     "Given a model, Ossuary answers which models of a collection are built like\n\
