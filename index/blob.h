@@ -25,6 +25,7 @@ inline constexpr BlobKind kSegmentsBlob{"PART", 2};
 inline constexpr BlobKind kThumbnailBlob{"THUM", 1};
 inline constexpr BlobKind kStatisticsBlob{"STAT", 1};
 inline constexpr BlobKind kEvaluationBlob{"EVAL", 1};
+inline constexpr BlobKind kScanBlob{"SCAN", 1};
 
 /// Every blob: mark (4), version (1), zeros (3), payload, XXH3-64 of all before it (8).
 inline constexpr std::size_t kBlobHeaderSize = 8;

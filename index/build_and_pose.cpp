@@ -103,13 +103,13 @@ private:
 
 }  // namespace
 
-Result<BuildAndPose> evaluate_build_and_pose(const Snapshot& snapshot,
+Result<BuildAndPose> evaluate_build_and_pose(const Snapshot& snapshot, StorePool& stores,
                                              const BuildAndPoseOptions& options) {
-    const auto poses = classified_models(snapshot, options.pose);
+    const auto poses = classified_models(snapshot, stores, options.pose);
     if (!poses) return poses.error();
     std::map<ModelId, std::string> pose_of;
     for (std::size_t i = 0; i < poses->positions.size(); ++i) {
-        pose_of.emplace(snapshot.models()[poses->positions[i]].id, poses->labels[i]);
+        pose_of.emplace(snapshot.id(poses->positions[i]), poses->labels[i]);
     }
     BuildAndPose result;
     result.ranker = options.rank.ranker;
@@ -118,7 +118,7 @@ Result<BuildAndPose> evaluate_build_and_pose(const Snapshot& snapshot,
     std::vector<std::string> pose_labels;
     for (const double weight : weights_of(options.rank)) {
         at_weight.rank.pose = weight;
-        const auto evaluation = evaluate(snapshot, at_weight);
+        const auto evaluation = evaluate(snapshot, stores, at_weight);
         if (!evaluation) return evaluation.error();
         if (result.curve.empty()) {
             for (const ModelId id : evaluation->order) {

@@ -11,6 +11,7 @@
 #include "engine/ranking/classification.h"
 #include "engine/ranking/ranker.h"
 #include "index/snapshot.h"
+#include "index/store_pool.h"
 
 namespace ossuary::index {
 
@@ -39,7 +40,7 @@ struct BuildAndPoseOptions {
 /// Measures at the weights 0, .05, .1, .15, .3, .5, .75 and 1 (`chain-code`, which knows no weight,
 /// at its own alone) the models that the first classification names; those that the second does not
 /// name have no pose. Errors: those of classified_models, cancelled.
-Result<BuildAndPose> evaluate_build_and_pose(const Snapshot& snapshot,
+Result<BuildAndPose> evaluate_build_and_pose(const Snapshot& snapshot, StorePool& stores,
                                              const BuildAndPoseOptions& options);
 
 [[nodiscard]] nlohmann::json to_json(const BuildAndPose& evaluation);

@@ -49,7 +49,7 @@ public:
     }
 
     /// Which of the filter's questions a model fails, as a set of Asked.
-    [[nodiscard]] unsigned failed(const ModelSummary& model) const {
+    [[nodiscard]] unsigned failed(const CatalogueEntry& model) const {
         unsigned set = 0;
         const auto fail = [&set](Asked question) { set |= static_cast<unsigned>(question); };
         if (!name_.empty() && !contains(model.name, name_)) fail(Asked::kName);
@@ -84,12 +84,34 @@ std::vector<FacetValue> values_of(const Counts& counts) {
     return values;
 }
 
-void count_folders(Counts& counts, const std::string& folder) {
+/// Counts values of which many equal the one before.
+class Run {
+public:
+    explicit Run(Counts& counts) : counts_(counts) {}
+    void add(std::string_view value) {
+        if (length_ == 0 || value != value_) {
+            end();
+            value_ = value;
+        }
+        ++length_;
+    }
+    void end() {
+        if (length_ > 0) counts_[value_] += length_;
+        length_ = 0;
+    }
+
+private:
+    Counts& counts_;
+    std::string value_;
+    std::size_t length_ = 0;
+};
+
+void count_folders(Counts& counts, const std::string& folder, std::size_t models) {
     for (std::size_t end = folder.find('/'); end != std::string::npos;
          end = folder.find('/', end + 1)) {
-        ++counts[folder.substr(0, end)];
+        counts[folder.substr(0, end)] += models;
     }
-    if (!folder.empty()) ++counts[folder];
+    if (!folder.empty()) counts[folder] += models;
 }
 
 }  // namespace
@@ -133,12 +155,25 @@ std::string file_kind(std::string_view path) {
     return kind;
 }
 
-std::vector<std::size_t> list_models(const Snapshot& snapshot, const CatalogueFilter& filter,
-                                     CatalogueOrder order) {
-    const std::vector<ModelSummary>& models = snapshot.models();
+Result<std::vector<std::size_t>> list_models(const Snapshot& snapshot, Store& store,
+                                             const CatalogueFilter& filter, CatalogueOrder order) {
     std::vector<std::size_t> positions;
+    if (order == CatalogueOrder::kId && filter.name_contains.empty() && !filter.folder &&
+        !filter.kind) {
+        // Known without a look at names.
+        if (filter.class_name) {
+            const auto of_class = snapshot.of_class(*filter.class_name);
+            return std::vector<std::size_t>(of_class.begin(), of_class.end());
+        }
+        positions.resize(snapshot.size());
+        std::iota(positions.begin(), positions.end(), std::size_t{0});
+        return positions;
+    }
+    const auto catalogue = snapshot.catalogue(store);
+    if (!catalogue) return catalogue.error();
+    const Catalogue& models = **catalogue;
     if (order == CatalogueOrder::kName) {
-        positions = snapshot.by_name();
+        positions = models.by_name();
     } else {
         positions.resize(models.size());
         std::iota(positions.begin(), positions.end(), std::size_t{0});
@@ -167,23 +202,33 @@ std::vector<std::size_t> list_models(const Snapshot& snapshot, const CatalogueFi
     return positions;
 }
 
-Facets count_facets(const Snapshot& snapshot, const CatalogueFilter& filter) {
+Result<Facets> count_facets(const Snapshot& snapshot, Store& store, const CatalogueFilter& filter) {
+    const auto catalogue = snapshot.catalogue(store);
+    if (!catalogue) return catalogue.error();
     const Sieve sieve(snapshot, filter);
     Counts classes, folders, kinds;
-    for (const ModelSummary& model : snapshot.models()) {
+    // Most models have the class, folder and ending of the one before.
+    Run class_run(classes), kind_run(kinds);
+    std::map<std::string, std::size_t> whole_folders;
+    Run folder_run(whole_folders);
+    for (std::size_t i = 0; i < (*catalogue)->size(); ++i) {
+        const CatalogueEntry& model = (**catalogue)[i];
         const unsigned failed = sieve.failed(model);
         const auto counts_for = [failed](Asked question) {
             return (failed & ~static_cast<unsigned>(question)) == 0;
         };
-        if (counts_for(Asked::kClass)) ++classes[model.class_name];
+        if (counts_for(Asked::kClass)) class_run.add(model.class_name);
         if (counts_for(Asked::kFolder)) {
-            count_folders(folders, folder_of(snapshot.roots().relative(model.path)));
+            folder_run.add(folder_of(snapshot.roots().relative(model.path)));
         }
-        if (counts_for(Asked::kKind)) {
-            if (std::string kind = file_kind(model.path); !kind.empty()) ++kinds[kind];
-        }
+        if (counts_for(Asked::kKind)) kind_run.add(file_kind(model.path));
     }
-    return {values_of(classes), values_of(folders), values_of(kinds)};
+    class_run.end();
+    kind_run.end();
+    folder_run.end();
+    kinds.erase("");
+    for (const auto& [folder, models] : whole_folders) count_folders(folders, folder, models);
+    return Facets{values_of(classes), values_of(folders), values_of(kinds)};
 }
 
 }  // namespace ossuary::index

@@ -28,11 +28,10 @@ enum class CatalogueOrder {
     kBranches,  ///< most first
 };
 
-/// The positions in `snapshot.models()` of the models that pass, in order; models that are equal in
-/// it in the order of their ids.
-[[nodiscard]] std::vector<std::size_t> list_models(const Snapshot& snapshot,
-                                                   const CatalogueFilter& filter,
-                                                   CatalogueOrder order);
+/// The positions in the snapshot of the models that pass, in order; models that are equal in it in
+/// the order of their ids. Errors: those of the store.
+Result<std::vector<std::size_t>> list_models(const Snapshot& snapshot, Store& store,
+                                             const CatalogueFilter& filter, CatalogueOrder order);
 
 /// A value that models have, and how many.
 struct FacetValue {
@@ -49,7 +48,8 @@ struct Facets {
     std::vector<FacetValue> kinds;
 };
 inline constexpr std::size_t kMostFacetValues = 1000;
-[[nodiscard]] Facets count_facets(const Snapshot& snapshot, const CatalogueFilter& filter);
+/// Errors: those of the store.
+Result<Facets> count_facets(const Snapshot& snapshot, Store& store, const CatalogueFilter& filter);
 
 /// The lower-case ending of the file (or member of an archive) that a path names, without dot:
 /// `stl`; empty where there is none.

@@ -7,6 +7,7 @@
 
 #include "engine/core/whole_file.h"
 #include "index/content_hash.h"
+#include "index/descriptor_cache.h"
 #include "index/timestamp.h"
 
 namespace ossuary::index {
@@ -15,28 +16,32 @@ namespace {
 
 using Selection = ClassifiedModels;
 
-std::string file_name(const ModelSummary& model) {
-    return model.path.empty() ? model.name : std::filesystem::path(model.path).filename().string();
+std::string file_name(const CatalogueEntry& model) {
+    return model.path.empty() ? std::string(model.name)
+                              : std::filesystem::path(model.path).filename().string();
 }
 
 Selection select_classified(const Snapshot& snapshot) {
     Selection selection;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        const std::string& label = snapshot.models()[i].class_name;
-        if (label.empty()) continue;
-        selection.positions.push_back(i);
-        selection.labels.push_back(label);
-    }
+    snapshot.for_each_block([&](const ScanBlock& block, std::size_t first) {
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            if (block.class_name(i).empty()) continue;
+            selection.positions.push_back(first + i);
+            selection.labels.emplace_back(block.class_name(i));
+        }
+    });
     return selection;
 }
 
-Result<Selection> select(const Snapshot& snapshot, const EvaluateOptions& options) {
+Result<Selection> select(const Snapshot& snapshot, StorePool& stores,
+                         const EvaluateOptions& options) {
     if (!(options.rank.pose >= 0.0 && options.rank.pose <= 1.0)) {
         return {ErrorCode::kInvalidArgument,
                 "pose: " + std::to_string(options.rank.pose) + ", expected a number from 0 to 1"};
     }
-    auto selection = options.classification ? classified_models(snapshot, *options.classification)
-                                            : Result<Selection>(select_classified(snapshot));
+    auto selection = options.classification
+                         ? classified_models(snapshot, stores, *options.classification)
+                         : Result<Selection>(select_classified(snapshot));
     if (!selection) return selection;
     std::map<std::string, int> members;
     for (const std::string& label : selection->labels) ++members[label];
@@ -54,7 +59,7 @@ Result<Selection> select(const Snapshot& snapshot, const EvaluateOptions& option
 std::string collection_hash(const Snapshot& snapshot, const Selection& selection) {
     std::string text;
     for (std::size_t i = 0; i < selection.positions.size(); ++i) {
-        text += std::to_string(snapshot.models()[selection.positions[i]].id);
+        text += std::to_string(snapshot.id(selection.positions[i]));
         text += ' ';
         text += selection.labels[i];
         text += '\n';
@@ -69,7 +74,7 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection,
     evaluation.rerank = rank.rerank;
     evaluation.pose = rank.pose;
     for (const std::size_t position : selection.positions) {
-        evaluation.order.push_back(snapshot.models()[position].id);
+        evaluation.order.push_back(snapshot.id(position));
     }
     evaluation.labels = selection.labels;
     evaluation.missing = selection.missing;
@@ -91,12 +96,12 @@ Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot,
     return ranking::collection_statistics(descriptors, rank.jobs, rank.stop);
 }
 
-Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection,
+Result<Evaluation> compute(const Snapshot& snapshot, StorePool& stores, const Selection& selection,
                            const ranking::RankOptions& rank) {
+    const auto loaded = load_descriptors(snapshot, stores, selection.positions, rank.jobs);
+    if (!loaded) return loaded.error();
     std::vector<const descriptor::ModelDescriptor*> descriptors;
-    for (const std::size_t position : selection.positions) {
-        descriptors.push_back(snapshot.descriptors()[position]);
-    }
+    for (const ranking::SharedDescriptor& model : *loaded) descriptors.push_back(model.get());
     const auto statistics = statistics_for(snapshot, selection, descriptors, rank);
     if (!statistics) return statistics.error();
     auto distances = ranking::distance_matrix(descriptors, *statistics, rank);
@@ -110,12 +115,26 @@ Result<Evaluation> compute(const Snapshot& snapshot, const Selection& selection,
 
 }  // namespace
 
-Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
-                                           const ranking::Classification& classification) {
-    std::multimap<std::string, std::size_t> by_file_name;
-    for (std::size_t i = 0; i < snapshot.size(); ++i) {
-        by_file_name.emplace(file_name(snapshot.models()[i]), i);
+Result<std::vector<ranking::SharedDescriptor>> load_descriptors(
+    const Snapshot& snapshot, StorePool& stores, std::span<const std::size_t> positions, int jobs) {
+    SnapshotDescriptors source(snapshot, stores, nullptr, jobs);
+    const std::vector<std::uint32_t> wanted(positions.begin(), positions.end());
+    auto loaded = source.fetch(wanted);
+    if (loaded && source.missed()) {
+        return {ErrorCode::kIndexBusy, "the index changes while its models are read; try again"};
     }
+    return loaded;
+}
+
+Result<ClassifiedModels> classified_models(const Snapshot& snapshot, StorePool& stores,
+                                           const ranking::Classification& classification) {
+    const auto store = stores.lend();
+    if (!store) return store.error();
+    const auto catalogue = snapshot.catalogue(**store);
+    if (!catalogue) return catalogue.error();
+    const Catalogue& models = **catalogue;
+    std::multimap<std::string, std::size_t> by_file_name;
+    for (std::size_t i = 0; i < models.size(); ++i) by_file_name.emplace(file_name(models[i]), i);
     ClassifiedModels selection;
     for (const ranking::ClassifiedModel& named : ranking::models_in_order(classification)) {
         std::optional<std::size_t> position;
@@ -125,8 +144,8 @@ Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
             if (std::next(first) != last) {
                 return {ErrorCode::kInvalidArgument,
                         "model \"" + named.id + "\" may be " +
-                            snapshot.models()[first->second].path + " or " +
-                            snapshot.models()[std::next(first)->second].path};
+                            std::string(models[first->second].path) + " or " +
+                            std::string(models[std::next(first)->second].path)};
             }
             position = first->second;
             break;
@@ -147,15 +166,16 @@ Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
     return selection;
 }
 
-Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options) {
-    const auto selection = select(snapshot, options);
+Result<Evaluation> evaluate(const Snapshot& snapshot, StorePool& stores,
+                            const EvaluateOptions& options) {
+    const auto selection = select(snapshot, stores, options);
     if (!selection) return selection.error();
-    return compute(snapshot, *selection, options.rank);
+    return compute(snapshot, stores, *selection, options.rank);
 }
 
-Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
+Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot, StorePool& stores,
                                    const EvaluateOptions& options) {
-    const auto selection = select(snapshot, options);
+    const auto selection = select(snapshot, stores, options);
     if (!selection) return selection.error();
     const EvaluationKey key{snapshot.revision(),
                             options.rank.ranker,
@@ -171,7 +191,7 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
         evaluation.computed_at = std::move((*cached)->computed_at);
         return evaluation;
     }
-    auto evaluation = compute(snapshot, *selection, options.rank);
+    auto evaluation = compute(snapshot, stores, *selection, options.rank);
     if (!evaluation) return evaluation;
     // A reader cannot keep it, and whoever writes for long should not fail a reader.
     const auto kept = store.put_evaluation(key, evaluation->report);

@@ -8,11 +8,13 @@
 
 #include "engine/core/result.h"
 #include "engine/ranking/classification.h"
+#include "engine/ranking/descriptor_source.h"
 #include "engine/ranking/ranker.h"
 #include "engine/ranking/retrieval_metrics.h"
 #include "index/model.h"
 #include "index/snapshot.h"
 #include "index/store.h"
+#include "index/store_pool.h"
 
 namespace ossuary::index {
 
@@ -46,18 +48,25 @@ struct ClassifiedModels {
 
 /// Errors: cla_unknown_model when the snapshot has none of them, invalid_argument when a name may
 /// stand for several.
-Result<ClassifiedModels> classified_models(const Snapshot& snapshot,
+Result<ClassifiedModels> classified_models(const Snapshot& snapshot, StorePool& stores,
                                            const ranking::Classification& classification);
+
+/// The descriptors of models that a snapshot has at these positions, all in memory. Errors:
+/// index_busy when one of them changes meanwhile, those of the store.
+Result<std::vector<ranking::SharedDescriptor>> load_descriptors(
+    const Snapshot& snapshot, StorePool& stores, std::span<const std::size_t> positions, int jobs);
 
 /// Leave-one-out retrieval quality over a snapshot; a function of the snapshot and the options.
 /// Errors: cla_unknown_model when the index has none of the classification's models,
 /// invalid_argument when an id may stand for several of them or no class has two models, cancelled
-/// once `rank.stop` asks.
-Result<Evaluation> evaluate(const Snapshot& snapshot, const EvaluateOptions& options = {});
+/// once `rank.stop` asks, index_busy when models change while they are read. All descriptors of the
+/// models and the matrix of their distances are in memory at once.
+Result<Evaluation> evaluate(const Snapshot& snapshot, StorePool& stores,
+                            const EvaluateOptions& options = {});
 
 /// The same, from the store's cache when it has it; computed and kept there (if the store is
 /// writable) when not. Cached evaluations come without distances.
-Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot,
+Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot, StorePool& stores,
                                    const EvaluateOptions& options = {});
 
 /// Writes the distances as little-endian float32, row by row: what the Princeton tools read.

@@ -10,6 +10,7 @@
 #include "engine/core/whole_file.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/describe_model.h"
+#include "index/descriptor_cache.h"
 #include "index/file_stamp.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
@@ -479,8 +480,14 @@ Result<void> update_statistics(Store& store, int jobs, const std::stop_token& st
 Result<void> update_statistics(Store& store, const Snapshot& snapshot, int jobs,
                                const std::stop_token& stop) {
     if (snapshot.state().statistics == snapshot.revision()) return {};
-    const auto statistics = ranking::collection_statistics(snapshot.descriptors(), jobs, stop);
+    StorePool stores(store);
+    SnapshotDescriptors source(snapshot, stores, nullptr, jobs);
+    const auto statistics = ranking::collection_statistics(source, jobs, stop);
     if (!statistics) return statistics.error();
+    // Of models that change meanwhile it would be known at which revision they do not count.
+    if (source.missed()) {
+        return {ErrorCode::kIndexBusy, "the index changes while its models are measured"};
+    }
     return store.put_statistics(*statistics, snapshot.revision(), snapshot.state().replacements);
 }
 

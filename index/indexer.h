@@ -112,7 +112,7 @@ Result<NewModel> describe_upload(const UploadedModel& upload, const IndexParamet
                                  std::stop_token stop = {}, ModelReader* reader = nullptr);
 
 /// Recomputes the collection's statistics if they are not those of the current revision.
-/// Errors: cancelled, those of the store.
+/// Errors: cancelled, those of the store, index_busy when models change while they are measured.
 Result<void> update_statistics(Store& store, int jobs = 1, const std::stop_token& stop = {});
 
 /// The same for a snapshot of the store that is in memory already.

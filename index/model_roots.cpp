@@ -25,11 +25,11 @@ std::string_view top_of(std::string_view folder) {
 
 }  // namespace
 
-ModelRoots::ModelRoots(std::span<const ModelSummary> models) {
+ModelRoots::ModelRoots(std::span<const std::string> paths) {
     std::map<std::string_view, std::string_view> by_top;
-    for (const ModelSummary& model : models) {
-        if (model.path.empty()) continue;
-        const std::string_view folder = folder_of(model.path);
+    for (const std::string& path : paths) {
+        if (path.empty()) continue;
+        const std::string_view folder = folder_of(path);
         const auto [root, first] = by_top.try_emplace(top_of(folder), folder);
         if (!first) root->second = common_folder(root->second, folder);
     }

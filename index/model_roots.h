@@ -5,8 +5,6 @@
 #include <string_view>
 #include <vector>
 
-#include "index/model.h"
-
 namespace ossuary::index {
 
 /// The folders that the models of an index lie in, found from their paths: the deepest folder above
@@ -15,7 +13,7 @@ namespace ossuary::index {
 class ModelRoots {
 public:
     ModelRoots() = default;
-    explicit ModelRoots(std::span<const ModelSummary> models);
+    explicit ModelRoots(std::span<const std::string> paths);
 
     /// `chairs/armchair.off` below the root; below one of several roots with that root's name in
     /// front. The file's name alone for a path below none of them; empty for an empty one.

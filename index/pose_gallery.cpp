@@ -76,8 +76,9 @@ Result<std::string> picture(Store& store, ModelId id) {
 
 }  // namespace
 
-std::vector<PoseExample> pose_examples(const Snapshot& snapshot, const Evaluation& evaluation,
-                                       std::size_t per_class, int jobs) {
+Result<std::vector<PoseExample>> pose_examples(const Snapshot& snapshot, StorePool& stores,
+                                               const Evaluation& evaluation, std::size_t per_class,
+                                               int jobs) {
     assert(evaluation.labels.size() == evaluation.order.size());
     std::map<std::string, std::vector<ModelId>> classes;
     for (std::size_t i = 0; i < evaluation.order.size(); ++i) {
@@ -86,10 +87,12 @@ std::vector<PoseExample> pose_examples(const Snapshot& snapshot, const Evaluatio
     std::vector<PoseExample> examples;
     for (const auto& [name, ids] : classes) {
         if (ids.size() < 3 || name.empty() || name == "-1") continue;
+        std::vector<std::size_t> positions;
+        for (const ModelId id : ids) positions.push_back(snapshot.find(id).value());
+        const auto loaded = load_descriptors(snapshot, stores, positions, jobs);
+        if (!loaded) return loaded.error();
         std::vector<const descriptor::ModelDescriptor*> members;
-        for (const ModelId id : ids) {
-            members.push_back(snapshot.descriptors()[snapshot.find(id).value()]);
-        }
+        for (const ranking::SharedDescriptor& model : *loaded) members.push_back(model.get());
         const auto by_build = nearest_members(members, snapshot.statistics(), 0.0, jobs);
         const auto by_pose = nearest_members(members, snapshot.statistics(), 1.0, jobs);
         const std::size_t count = std::min(per_class, ids.size());

@@ -22,10 +22,11 @@ struct PoseExample {
 };
 
 /// At most `per_class` models of each class with three models or more, spread over it, under
-/// `skeleton`. @pre the evaluation is of this snapshot, with its order and labels
-[[nodiscard]] std::vector<PoseExample> pose_examples(const Snapshot& snapshot,
-                                                     const Evaluation& evaluation,
-                                                     std::size_t per_class = 5, int jobs = 1);
+/// `skeleton`. Errors: those of load_descriptors.
+/// @pre the evaluation is of this snapshot, with its order and labels
+Result<std::vector<PoseExample>> pose_examples(const Snapshot& snapshot, StorePool& stores,
+                                               const Evaluation& evaluation,
+                                               std::size_t per_class = 5, int jobs = 1);
 
 /// One page with the three pictures of each example, which needs nothing else. `before` is markup
 /// that comes first. Errors: those of

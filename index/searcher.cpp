@@ -1,10 +1,15 @@
 #include "index/searcher.h"
 
 #include <algorithm>
+#include <chrono>
+#include <mutex>
 #include <set>
+#include <tuple>
 
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
+#include "engine/ranking/explain.h"
+#include "index/descriptor_cache.h"
 
 namespace ossuary::index {
 
@@ -25,78 +30,132 @@ ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token sto
     return options;
 }
 
-/// The models that may be hits, nearest first.
-Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
-                                                 const descriptor::ModelDescriptor& query,
-                                                 const SearchOptions& options, ModelId left_out) {
-    // One more, because the model that is left out is among the nearest. Distances do not depend on
-    // the class that is looked for: they are judged by the whole collection.
+/// What is asked of one snapshot.
+struct Question {
+    const Snapshot& snapshot;
+    SnapshotDescriptors& descriptors;
+    const descriptor::ModelDescriptor& query;
+    const SearchOptions& options;
+    ModelId left_out = 0;
+};
+
+ranking::NearestOptions nearest_options(const Snapshot& snapshot, const SearchOptions& options) {
+    // One more, because the model that is left out is among the nearest.
     ranking::NearestOptions nearest;
     nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
+    return nearest;
+}
+
+/// The models that may be hits, nearest first.
+Result<std::vector<ranking::RankedModel>> ranked(const Question& question) {
+    const Snapshot& snapshot = question.snapshot;
+    const SearchOptions& options = question.options;
+    // Distances do not depend on the class that is looked for: they are judged by the whole
+    // collection.
+    ranking::NearestOptions nearest = nearest_options(snapshot, options);
     // Each copy may take a place that another model is to have; in large collections that are
     // mostly copies the list may then end early.
-    if (options.fold_copies) nearest.spare = snapshot.redundant();
+    if (options.fold_copies) nearest.spare = snapshot.size();
     std::vector<std::uint32_t> of_class;
     if (!options.class_filter.empty()) {
-        for (std::uint32_t i = 0; i < snapshot.size(); ++i) {
-            if (snapshot.models()[i].class_name == options.class_filter) of_class.push_back(i);
-        }
+        of_class = snapshot.of_class(options.class_filter);
         nearest.among = of_class;
     }
     const auto models =
-        ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
-                                snapshot.statistics(), options.rank, nearest);
+        ranking::nearest_models(question.query, question.descriptors, snapshot.preselection(),
+                                snapshot.normalization(), options.rank, nearest);
     if (!models) return models.error();
     std::vector<ranking::RankedModel> hits;
-    std::set<std::size_t> seen;
+    std::set<std::uint64_t> seen;
     for (const ranking::RankedModel& found : *models) {
-        const ModelSummary& model = snapshot.models()[found.index];
-        if (model.id == left_out) continue;
-        if (options.fold_copies && !seen.insert(snapshot.copies(found.index)).second) continue;
+        if (snapshot.id(found.index) == question.left_out) continue;
+        if (options.fold_copies && !seen.insert(snapshot.measures(found.index)).second) continue;
         hits.push_back(found);
         if (hits.size() == options.limit) break;
     }
     return hits;
 }
 
-/// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
-Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescriptor& query,
-                       const SearchOptions& options, ModelId left_out, SearchResult& result) {
+/// Parts and correspondences of hits; those whose descriptors are gone go, too.
+Result<void> explain_hits(const Question& question, std::span<const std::uint32_t> positions,
+                          std::vector<Hit>& hits) {
+    const auto descriptors = question.descriptors.fetch(positions);
+    if (!descriptors) return descriptors.error();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!(*descriptors)[i]) continue;
+        auto match = ranking::explain(question.query, *(*descriptors)[i],
+                                      question.snapshot.normalization(), question.options.rank);
+        if (!match) return match.error();
+        Hit& hit = hits[i];
+        hit.parts = std::move(match->parts);
+        hit.matched_nodes = match->correspondence.nodes.size();
+        hit.build = match->build;
+        hit.pose = match->pose;
+        hit.match = std::move(match->correspondence);
+        if (kept != i) hits[kept] = std::move(hit);
+        ++kept;
+    }
+    hits.resize(kept);
+    return {};
+}
+
+/// What a search has found, without its query.
+struct Found {
+    std::vector<Hit> hits;
+    StageTimes stages_ms;
+    std::size_t models = 0;
+    Revision revision = 0;
+    bool complete = true;  ///< nothing was missing that the snapshot knows of
+
+    void move_into(SearchResult& result) && {
+        result.hits = std::move(hits);
+        result.stages_ms = std::move(stages_ms);
+        result.models = models;
+        result.revision = revision;
+    }
+};
+
+/// Ranks the snapshot for a query and explains the hits.
+Result<Found> find_hits(const Question& question, Store& store) {
+    const Snapshot& snapshot = question.snapshot;
+    Found result;
     Stopwatch watch;
-    const auto models = ranked(snapshot, query, options, left_out);
+    const auto models = ranked(question);
     if (!models) return models.error();
+    std::vector<std::uint32_t> positions;
+    std::vector<std::uint64_t> measures;
     for (const ranking::RankedModel& found : *models) {
-        const ModelSummary& model = snapshot.models()[found.index];
+        auto model = store.model(snapshot.id(found.index));
+        if (!model && model.error().code != ErrorCode::kModelNotFound) return model.error();
+        if (!model) {
+            result.complete = false;
+            continue;
+        }
+        positions.push_back(static_cast<std::uint32_t>(found.index));
+        measures.push_back(snapshot.measures(found.index));
         Hit hit;
-        hit.rank = result.hits.size() + 1;
-        hit.id = model.id;
-        hit.name = model.name;
-        hit.class_name = model.class_name;
-        hit.path = model.path;
-        hit.faces = model.faces;
-        hit.extent = model.bounds.sizes();
-        hit.copies = snapshot.copy_count(snapshot.copies(found.index)) - 1;
+        hit.id = model->id;
+        hit.name = std::move(model->name);
+        hit.class_name = std::move(model->class_name);
+        hit.path = std::move(model->path);
+        hit.faces = model->faces;
+        hit.extent = model->bounds.sizes();
         hit.distance = found.distance;
         result.hits.push_back(std::move(hit));
     }
+    const auto copies = snapshot.count_measures(measures);
+    for (std::size_t i = 0; i < copies.size(); ++i) result.hits[i].copies = copies[i] - 1;
     result.stages_ms.push_back({"rank", watch.lap_ms()});
-    if (options.with_match) {
-        for (Hit& hit : result.hits) {
-            const auto position = snapshot.find(hit.id);
-            auto match = ranking::explain(query, *snapshot.descriptors()[*position],
-                                          snapshot.statistics(), options.rank);
-            if (!match) return match.error();
-            hit.parts = std::move(match->parts);
-            hit.matched_nodes = match->correspondence.nodes.size();
-            hit.build = match->build;
-            hit.pose = match->pose;
-            hit.match = std::move(match->correspondence);
-        }
+    if (question.options.with_match) {
+        if (auto done = explain_hits(question, positions, result.hits); !done) return done.error();
         result.stages_ms.push_back({"explain", watch.lap_ms()});
     }
+    for (std::size_t i = 0; i < result.hits.size(); ++i) result.hits[i].rank = i + 1;
     result.models = snapshot.size();
     result.revision = snapshot.revision();
-    return {};
+    result.complete = result.complete && !question.descriptors.missed();
+    return result;
 }
 
 Result<void> check_rank_options(const ranking::RankOptions& options) {
@@ -125,7 +184,7 @@ Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::Trian
     if (!first) return first.error();
     auto second = descriptor::describe(b, describe_options(parameters), stop);
     if (!second) return second.error();
-    auto match = ranking::explain(first->descriptor, second->descriptor, {},
+    auto match = ranking::explain(first->descriptor, second->descriptor, ranking::Normalization(),
                                   stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
@@ -138,12 +197,28 @@ Result<Comparison> compare_meshes(const mesh::TriangleMesh& a, const mesh::Trian
 }
 
 struct Searcher::Impl {
-    explicit Impl(Store opened) : store(std::move(opened)) {}
+    explicit Impl(Store opened) : store(std::move(opened)), pool(store) {}
 
     Store store;
+    StorePool pool;
+    DescriptorCache cache;
+    std::timed_mutex loading;  ///< held by the one thread that loads a snapshot
     Mutex mutex;
     std::shared_ptr<const Snapshot> current OSSUARY_GUARDED_BY(mutex);
+
+    std::shared_ptr<const Snapshot> known() {
+        const Lock lock(mutex);
+        return current;
+    }
+    Result<Found> nearest(const descriptor::ModelDescriptor& query, const SearchOptions& options,
+                          ModelId left_out, std::shared_ptr<const Snapshot> snapshot,
+                          Searcher& searcher);
 };
+
+/// How often a search is begun anew because models have changed under it.
+constexpr int kAttempts = 3;
+/// How long a search waits for a newer snapshot when there is an earlier one.
+constexpr std::chrono::milliseconds kPatience(50);
 
 Searcher::Searcher(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Searcher::Searcher(Searcher&&) noexcept = default;
@@ -165,15 +240,35 @@ Result<Searcher> Searcher::open(const std::filesystem::path& path, Access access
 
 Store& Searcher::store() { return impl_->store; }
 
+StorePool& Searcher::stores() { return impl_->pool; }
+
 Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
-    const Lock lock(impl_->mutex);
-    if (impl_->current) {
+    const auto is_current = [&]() -> Result<bool> {
         const auto state = impl_->store.collection_state();
         if (!state) return state.error();
-        if (*state == impl_->current->state()) return impl_->current;
+        const auto known = impl_->known();
+        return known && *state == known->state();
+    };
+    auto current = is_current();
+    if (!current) return current.error();
+    if (*current) return impl_->known();
+    std::unique_lock loading(impl_->loading, std::defer_lock);
+    const auto earlier = impl_->known();
+    if (earlier) {
+        // What has been read once is searched as it is, however much there is to be read.
+        if (!loading.try_lock_for(kPatience)) return earlier;
+    } else {
+        loading.lock();
     }
-    auto loaded = Snapshot::load(impl_->store, impl_->current.get());
-    if (loaded) impl_->current = *loaded;
+    current = is_current();
+    if (!current) return current.error();
+    if (*current) return impl_->known();
+    const auto store = impl_->pool.lend();
+    if (!store) return store.error();
+    auto loaded = Snapshot::load(**store, impl_->known().get());
+    if (!loaded) return loaded;
+    const Lock lock(impl_->mutex);
+    impl_->current = *loaded;
     return loaded;
 }
 
@@ -191,6 +286,27 @@ Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::
     return described;
 }
 
+Result<Found> Searcher::Impl::nearest(const descriptor::ModelDescriptor& query,
+                                      const SearchOptions& options, ModelId left_out,
+                                      std::shared_ptr<const Snapshot> snapshot,
+                                      Searcher& searcher) {
+    for (int attempt = 1;; ++attempt) {
+        const bool all = ranking::measures_all(snapshot->size(), options.rank,
+                                               nearest_options(*snapshot, options));
+        // A pass over a large collection would leave nothing else in the cache.
+        const bool kept = !all || snapshot->size() <= ranking::NearestOptions{}.exhaustive_below;
+        SnapshotDescriptors descriptors(*snapshot, pool, kept ? &cache : nullptr,
+                                        options.rank.jobs);
+        const auto reader = pool.lend();
+        if (!reader) return reader.error();
+        auto found = find_hits({*snapshot, descriptors, query, options, left_out}, **reader);
+        if (!found || found->complete || attempt == kAttempts) return found;
+        auto later = searcher.snapshot();
+        if (!later) return later.error();
+        snapshot = *std::move(later);
+    }
+}
+
 Result<SearchResult> Searcher::nearest(const DescribedQuery& query, const SearchOptions& options,
                                        std::stop_token stop) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
@@ -199,10 +315,10 @@ Result<SearchResult> Searcher::nearest(const DescribedQuery& query, const Search
     if (!loaded) return loaded.error();
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
+    auto found = impl_->nearest(query.descriptor, search, 0, *loaded, *this);
+    if (!found) return found.error();
     SearchResult result;
-    if (const auto found = find_hits(**loaded, query.descriptor, search, 0, result); !found) {
-        return found.error();
-    }
+    std::move(*found).move_into(result);
     result.took_ms = total.elapsed_ms();
     return result;
 }
@@ -232,17 +348,16 @@ Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options,
     const Stopwatch total;
     auto found = consistent({id});
     if (!found) return found.error();
-    const Snapshot& models = *found->snapshot;
-    const std::size_t position = *models.find(id);
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
+    auto hits = impl_->nearest(*found->descriptors.front(), search, id, found->snapshot, *this);
+    if (!hits) return hits.error();
+    const auto model = impl_->store.model(id);
+    if (!model) return model.error();
     SearchResult result;
-    if (const auto hits = find_hits(models, *models.descriptors()[position], search, id, result);
-        !hits) {
-        return hits.error();
-    }
+    std::move(*hits).move_into(result);
     result.query_skeleton = std::move(found->skeletons.front());
-    result.warnings = models.models()[position].warnings;
+    result.warnings = model->warnings;
     result.took_ms = total.elapsed_ms();
     return result;
 }
@@ -252,20 +367,17 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOp
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
     auto found = consistent({a, b});
     if (!found) return found.error();
-    const Snapshot& models = *found->snapshot;
-    const std::size_t first = *models.find(a);
-    const std::size_t second = *models.find(b);
-    auto match = ranking::explain(*models.descriptors()[first], *models.descriptors()[second],
-                                  models.statistics(), stoppable(options, std::move(stop)));
+    auto match = ranking::explain(*found->descriptors[0], *found->descriptors[1],
+                                  found->snapshot->normalization(),
+                                  stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
     comparison.match = *std::move(match);
-    comparison.a = {models.models()[first], std::move(found->skeletons[0])};
-    comparison.b = {models.models()[second], std::move(found->skeletons[1])};
-    // A model is turned without a new revision, so the snapshot may not know.
-    for (ComparedModel* each : {&comparison.a, &comparison.b}) {
-        const auto now = impl_->store.model(each->summary.id);
-        if (now) each->summary.orientation = now->orientation;
+    for (const auto& [side, id, i] :
+         {std::tuple(&comparison.a, a, 0U), std::tuple(&comparison.b, b, 1U)}) {
+        auto model = impl_->store.model(id);
+        if (!model) return model.error();
+        *side = {*std::move(model), std::move(found->skeletons[i])};
     }
     return comparison;
 }
@@ -283,14 +395,19 @@ Result<Searcher::Consistent> Searcher::consistent(const std::vector<ModelId>& id
             if (!position) {
                 return {ErrorCode::kModelNotFound, "there is no model " + std::to_string(id)};
             }
+            SnapshotDescriptors source(*found.snapshot, impl_->pool, &impl_->cache);
+            const std::uint32_t positions[] = {static_cast<std::uint32_t>(*position)};
+            const auto fetched = source.fetch(positions);
+            if (!fetched) return fetched.error();
             auto skeleton = impl_->store.skeleton(id);
             if (!skeleton && attempt >= 3) return skeleton.error();
-            if (!skeleton) break;
-            const auto& descriptor = found.snapshot->descriptors()[*position]->skeleton;
+            if (!skeleton || !fetched->front()) break;
+            const auto& descriptor = fetched->front()->skeleton;
             if (skeleton->graph.nodes.size() != descriptor.nodes.size() ||
                 skeleton->graph.branches.size() != descriptor.branches.size()) {
                 break;
             }
+            found.descriptors.push_back(fetched->front());
             found.skeletons.push_back(*std::move(skeleton));
         }
         const auto state = impl_->store.collection_state();

@@ -14,10 +14,12 @@
 #include "engine/matching/match.h"
 #include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
+#include "engine/ranking/descriptor_source.h"
 #include "engine/ranking/ranker.h"
 #include "index/model.h"
 #include "index/snapshot.h"
 #include "index/store.h"
+#include "index/store_pool.h"
 
 namespace ossuary::index {
 
@@ -98,6 +100,8 @@ public:
     Result<std::shared_ptr<const Snapshot>> snapshot();
     /// For whatever is not in the snapshot: pages, previews, thumbnails.
     [[nodiscard]] Store& store();
+    /// The same for many readers at once.
+    [[nodiscard]] StorePool& stores();
 
     /// As the models of the index were described. Errors: those of descriptor::describe.
     Result<DescribedQuery> describe(const mesh::TriangleMesh& query, std::stop_token stop = {});
@@ -119,9 +123,11 @@ private:
     struct Impl;
     struct Consistent {
         std::shared_ptr<const Snapshot> snapshot;
+        std::vector<ranking::SharedDescriptor> descriptors;
         std::vector<StoredSkeleton> skeletons;
     };
-    /// A snapshot together with the skeletons of some of its models. Errors: model_not_found.
+    /// A snapshot together with descriptors and skeletons of some of its models. Errors:
+    /// model_not_found.
     Result<Consistent> consistent(const std::vector<ModelId>& ids);
 
     explicit Searcher(std::unique_ptr<Impl> impl);

@@ -163,6 +163,8 @@ int Store::version() const { return impl_->version; }
 
 void Store::follow_replacements() { impl_->follows = true; }
 
+bool Store::follows_replacements() const { return impl_->follows; }
+
 Result<Revision> Store::revision() {
     const auto state = collection_state();
     if (!state) return state.error();

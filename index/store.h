@@ -17,6 +17,7 @@
 #include "engine/ranking/ranker.h"
 #include "engine/ranking/retrieval_metrics.h"
 #include "index/model.h"
+#include "index/scan_block.h"
 #include "index/upload.h"
 
 namespace ossuary::index {
@@ -27,9 +28,6 @@ enum class Access {
     kInspect,  ///< the file and its log as they stand: an older index stays at its version, and may
                ///< only be asked for parameters, version and `verify`
 };
-
-/// Counts every committed change of an index's models, from 0; what readers follow.
-using Revision = std::int64_t;
 
 // The changes that one transaction may hold.
 struct PutModel {  ///< adds the model, or replaces the one that has its path
@@ -101,16 +99,14 @@ struct ModelPage {
 
 struct StoredDescriptor {
     ModelId id = 0;
+    Revision changed_at = 0;                 ///< of the model
     descriptor::ModelDescriptor descriptor;  ///< with its derived matching data
 };
-/// A model as a reader has it: at which revision it last changed.
-struct KnownModel {
+/// A model as lists and facets know it.
+struct ListedModel {
     ModelId id = 0;
-    Revision changed_at = 0;
-};
-struct StoredSignature {
-    ModelId id = 0;
-    std::vector<float> signature;
+    std::string name, class_name, path, indexed_at;  ///< as in ModelSummary
+    std::uint32_t faces = 0, branches = 0;
 };
 /// The collection's statistics and the revision that they were made at.
 struct StoredStatistics {
@@ -127,16 +123,20 @@ struct CollectionState {
     std::uint64_t replacements = 0;
     bool operator==(const CollectionState&) const = default;
 };
-struct StoreContents {
-    struct Model {
-        ModelId id = 0;
-        Revision changed_at = 0;
-        std::optional<ModelSummary> summary;                    ///< none = as known
-        std::optional<descriptor::ModelDescriptor> descriptor;  ///< none = as known
+/// What searches look at of a whole collection, as of one revision.
+struct StoredScan {
+    struct Block {
+        std::int64_t number = 0;
+        std::shared_ptr<const ScanBlock> models;
     };
     CollectionState state;
-    std::vector<Model> models;  ///< in the order of ids
+    bool whole = true;          ///< false: `blocks` has only what has changed since what was known
+    std::vector<Block> blocks;  ///< ascending
+    /// None if there are none, or if they are the known ones.
     std::optional<StoredStatistics> statistics;
+    /// Paths that have the same folders in common as those of all models: of each folder at the
+    /// top of the machine that models lie below, the first and the last of them.
+    std::vector<std::string> outer_paths;
 };
 
 /// Names one cached evaluation.
@@ -206,6 +206,7 @@ public:
     /// one, if it has the same parameters; otherwise they give index_replaced from then on.
     /// Nothing is written to a file that has lost its place, nor acknowledged if it was.
     void follow_replacements();
+    [[nodiscard]] bool follows_replacements() const;
     Result<Revision> revision();
     /// Cheap: what a reader asks to learn whether it is up to date.
     Result<CollectionState> collection_state();
@@ -244,15 +245,14 @@ public:
     Result<ModelSummary> model(ModelId id);
     /// Models by name (exact), in the order of their ids.
     Result<std::vector<ModelSummary>> models_named(std::string_view name);
-    /// The whole collection as of one revision; models that are at the same revision in `known`
-    /// (ascending ids) come without summary and descriptor. What is known of an earlier file counts
-    /// for nothing.
-    Result<StoreContents> contents(std::span<const KnownModel> known = {},
-                                   std::uint64_t replacements = 0);
-    /// Descriptors of `ids`, in their order; ids that are gone are left out.
-    Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids);
-    /// All signatures in the order of ids: small enough to keep where descriptors are not.
-    Result<std::vector<StoredSignature>> signatures();
+    /// What searches look at; of what a reader has that knows `known`, only what has changed. What
+    /// is known of an earlier file counts for nothing.
+    Result<StoredScan> scan(const std::optional<CollectionState>& known = {});
+    /// Descriptors of `ids`, in their order; ids that are gone are left out. Decoded by `jobs`
+    /// threads, one after the other in their order.
+    Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids, int jobs = 1);
+    /// The models with ids from `first` to `last`, in their order.
+    Result<std::vector<ListedModel>> listed(ModelId first, ModelId last);
     Result<StoredSkeleton> skeleton(ModelId id);
     Result<PreviewMesh> preview(ModelId id);
     /// None for a model that could not be cut into parts.

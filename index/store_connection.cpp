@@ -9,6 +9,7 @@
 #include "index/migrations.h"
 #include "index/store_checksum.h"
 #include "index/store_file.h"
+#include "index/store_scan.h"
 
 namespace ossuary::index {
 
@@ -51,6 +52,7 @@ void migrate(Connection& connection) {
         if (migration.version == kFirstVersionWithUploads) {
             seal_unsealed_rows(connection.database(), migration.version);
         }
+        if (migration.version == kFirstVersionWithScan) fill_scan_blocks(connection);
         connection.database().exec("PRAGMA user_version = " + std::to_string(migration.version));
         transaction.commit();
     }

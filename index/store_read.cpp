@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/core/parallel.h"
 #include "index/codec.h"
 #include "index/store_impl.h"
 
@@ -20,8 +21,8 @@ constexpr std::string_view kSelectFailures =
     "SELECT path, content_hash, code, message, failed_at FROM failures ";
 
 constexpr std::string_view kSelectDescriptor =
-    "SELECT d.skeleton, d.globals, s.signature FROM descriptors d "
-    "JOIN signatures s ON s.model = d.model WHERE d.model = ?";
+    "SELECT d.skeleton, d.globals, s.signature, m.revision FROM models m "
+    "JOIN descriptors d ON d.model = m.id JOIN signatures s ON s.model = m.id WHERE m.id = ?";
 
 /// The WHERE clause of a page; parameters: after, class or NULL, part of the name.
 constexpr std::string_view kPageFilter =
@@ -197,75 +198,55 @@ Result<std::vector<ModelSummary>> Store::models_named(std::string_view name) {
     });
 }
 
-Result<StoreContents> Store::contents(std::span<const KnownModel> known,
-                                      std::uint64_t replacements) {
-    return impl_->locked([&]() -> Result<StoreContents> {
-        if (replacements != impl_->replacements()) known = {};
+Result<std::vector<StoredDescriptor>> Store::descriptors(std::span<const ModelId> ids, int jobs) {
+    struct Blobs {
+        ModelId id = 0;
+        Revision changed_at = 0;
+        std::string skeleton, globals, signature;
+    };
+    const auto read = impl_->locked([&]() -> Result<std::vector<Blobs>> {
         SQLite::Transaction transaction(impl_->database());
-        StoreContents contents;
-        const auto state = read_state(*impl_);
-        if (!state) return state.error();
-        contents.state = *state;
-        Query ids(impl_->statement("SELECT id, revision FROM models ORDER BY id"));
-        auto next_known = known.begin();
-        while (ids.step()) {
-            StoreContents::Model& model = contents.models.emplace_back();
-            model.id = ids.integer(0);
-            model.changed_at = ids.integer(1);
-            while (next_known != known.end() && next_known->id < model.id) ++next_known;
-            if (next_known != known.end() && next_known->id == model.id &&
-                next_known->changed_at == model.changed_at) {
-                continue;
-            }
-            Query query(impl_->statement(select_summaries("WHERE id = ?")));
-            if (!query.bind(model.id).step()) return impl_->no_model(model.id);
-            auto summary = selected_summary(query);
-            if (!summary) return summary.error();
-            model.summary = *std::move(summary);
-            Query blobs(impl_->statement(std::string(kSelectDescriptor)));
-            if (!blobs.bind(model.id).step()) {
-                return impl_->damaged(model.id,
-                                      {ErrorCode::kIndexCorrupt, "its descriptor is missing"});
-            }
-            auto descriptor = descriptor_from(blobs.blob(0), blobs.blob(1), blobs.blob(2));
-            if (!descriptor) return impl_->damaged(model.id, descriptor.error());
-            model.descriptor = *std::move(descriptor);
-        }
-        Query statistics(impl_->statement("SELECT revision, statistics FROM statistics"));
-        if (statistics.step()) {
-            auto decoded = decode_statistics(statistics.blob(1));
-            if (!decoded) return decoded.error();
-            contents.statistics = StoredStatistics{*std::move(decoded), statistics.integer(0)};
-        }
-        return contents;
-    });
-}
-
-Result<std::vector<StoredDescriptor>> Store::descriptors(std::span<const ModelId> ids) {
-    return impl_->locked([&]() -> Result<std::vector<StoredDescriptor>> {
-        SQLite::Transaction transaction(impl_->database());
-        std::vector<StoredDescriptor> found;
+        std::vector<Blobs> blobs;
+        SQLite::Statement& statement = impl_->statement(std::string(kSelectDescriptor));
         for (const ModelId id : ids) {
-            Query query(impl_->statement(std::string(kSelectDescriptor)));
+            Query query(statement);
             if (!query.bind(id).step()) continue;
-            auto descriptor = descriptor_from(query.blob(0), query.blob(1), query.blob(2));
-            if (!descriptor) return impl_->damaged(id, descriptor.error());
-            found.push_back({id, *std::move(descriptor)});
+            blobs.push_back({id, query.integer(3), std::string(query.blob(0)),
+                             std::string(query.blob(1)), std::string(query.blob(2))});
         }
-        return found;
+        return blobs;
     });
+    if (!read) return read.error();
+    // Decoded while others may read.
+    std::vector<StoredDescriptor> found(read->size());
+    std::vector<std::optional<Error>> errors(read->size());
+    parallel_for(read->size(), jobs, [&](std::size_t i) {
+        const Blobs& blobs = (*read)[i];
+        auto decoded = descriptor_from(blobs.skeleton, blobs.globals, blobs.signature);
+        if (!decoded) {
+            errors[i] = impl_->damaged(blobs.id, decoded.error());
+            return;
+        }
+        found[i] = {blobs.id, blobs.changed_at, *std::move(decoded)};
+    });
+    for (const auto& error : errors) {
+        if (error) return *error;
+    }
+    return found;
 }
 
-Result<std::vector<StoredSignature>> Store::signatures() {
-    return impl_->locked([&]() -> Result<std::vector<StoredSignature>> {
-        std::vector<StoredSignature> signatures;
-        Query query(impl_->statement("SELECT model, signature FROM signatures ORDER BY model"));
+Result<std::vector<ListedModel>> Store::listed(ModelId first, ModelId last) {
+    return impl_->locked([&]() -> Result<std::vector<ListedModel>> {
+        std::vector<ListedModel> models;
+        Query query(
+            impl_->statement("SELECT id, name, class, path, indexed_at, faces, branches "
+                             "FROM models WHERE id BETWEEN ? AND ? ORDER BY id"));
+        query.bind(first, last);
         while (query.step()) {
-            auto signature = decode_signature(query.blob(1));
-            if (!signature) return impl_->damaged(query.integer(0), signature.error());
-            signatures.push_back({query.integer(0), *std::move(signature)});
+            models.push_back({query.integer(0), query.text(1), query.text(2), query.text(3),
+                              query.text(4), count_from(query, 5), count_from(query, 6)});
         }
-        return signatures;
+        return models;
     });
 }
 

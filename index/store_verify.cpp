@@ -39,6 +39,7 @@ public:
             verify_checksums(impl_, report_);
             verify_uploads(impl_, report_);
         }
+        if (impl_.version >= kFirstVersionWithScan) verify_scan(impl_, report_);
         return std::move(report_);
     }
 

@@ -2,7 +2,7 @@
 
 #include "index/store_impl.h"
 
-// Private to the store: the parts of `verify` that know no models.
+// Private to the store: the parts of `verify` that go through whole tables.
 
 namespace ossuary::index {
 
@@ -14,5 +14,8 @@ void verify_checksums(Store::Impl& impl, VerifyReport& report);
 
 /// Uploads and the bytes of those that wait.
 void verify_uploads(Store::Impl& impl, VerifyReport& report);
+
+/// The blocks that searches look at against the models and what is stored of them.
+void verify_scan(Store::Impl& impl, VerifyReport& report);
 
 }  // namespace ossuary::index

@@ -1,8 +1,10 @@
 #include <cmath>
+#include <set>
 
 #include "index/codec.h"
 #include "index/content_hash.h"
 #include "index/store_impl.h"
+#include "index/store_scan.h"
 #include "index/timestamp.h"
 
 namespace ossuary::index {
@@ -72,7 +74,12 @@ public:
     Result<ModelId> operator()(const PutUpload& change);
     Result<ModelId> operator()(const FailUpload& change);
 
-    Result<void> commit() { return impl_.commit(transaction_); }
+    Result<void> commit() {
+        for (const std::int64_t block : changed_blocks_) {
+            write_scan_block(*impl_.connection, block, revision(), fresh_);
+        }
+        return impl_.commit(transaction_);
+    }
 
 private:
     Query query(const std::string& sql) { return Query(impl_.statement(sql)); }
@@ -100,11 +107,30 @@ private:
         query("DELETE FROM failures WHERE path = ?").bind(path).run();
     }
     void remove_parts(ModelId id);
+    /// Removes the models that fit; whether there were any.
+    bool remove_where(const std::string& where, const std::string& path, const auto& value);
+    void has_changed(ModelId id) { changed_blocks_.insert(id / kScanBlockModels); }
 
     Store::Impl& impl_;
     SQLite::Transaction transaction_;
     Revision revision_ = 0;
+    std::set<std::int64_t> changed_blocks_;
+    FreshRows fresh_;
 };
+
+bool Writer::remove_where(const std::string& where, const std::string& path, const auto& value) {
+    std::vector<ModelId> ids;
+    {
+        Query found(impl_.statement("SELECT id FROM models WHERE " + where));
+        found.bind(path, value);
+        while (found.step()) ids.push_back(found.integer(0));
+    }
+    for (const ModelId id : ids) {
+        query("DELETE FROM models WHERE id = ?").bind(id).run();
+        has_changed(id);
+    }
+    return !ids.empty();
+}
 
 /// The model that stands for `path`, or for an upload (no path) of these bytes.
 std::optional<Writer::Existing> Writer::existing(const std::string& path,
@@ -144,6 +170,7 @@ ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) 
     insert.run();
     const ModelId given = id ? *id : impl_.database().getLastInsertRowid();
     impl_.seal("models", "id = ?", given);
+    has_changed(given);
     return given;
 }
 
@@ -222,6 +249,8 @@ Result<ModelId> Writer::put(const NewModel& model) {
     summary.branches = static_cast<std::uint32_t>(model.skeleton.branches.size());
     const ModelId id = put_row(summary, old ? std::optional(old->id) : std::nullopt);
     put_parts(id, model, *encoded);
+    fresh_[id] = {};
+    fresh_[id].append(model.descriptor);
     put_orientation(id, summary.orientation);
     put_frame(id, summary.frame);
     forget_failure(summary.path);
@@ -229,7 +258,7 @@ Result<ModelId> Writer::put(const NewModel& model) {
 }
 
 Result<ModelId> Writer::operator()(const MoveModel& change) {
-    query("DELETE FROM models WHERE path = ? AND id <> ?").bind(change.path, change.id).run();
+    remove_where("path = ? AND id <> ?", change.path, change.id);
     Query move(impl_.statement(
         "UPDATE models SET path = ?2, name = ?3, class = coalesce(?4, class), revision = ?5 "
         "WHERE id = ?1"));
@@ -237,6 +266,7 @@ Result<ModelId> Writer::operator()(const MoveModel& change) {
     if (change.class_name) move.bind_at(4, *change.class_name);
     if (move.run() == 0) return impl_.no_model(change.id);
     impl_.seal("models", "id = ?", change.id);
+    has_changed(change.id);
     forget_failure(change.path);
     return change.id;
 }
@@ -247,6 +277,7 @@ Result<ModelId> Writer::operator()(const ClassifyModel& change) {
         return impl_.no_model(change.id);
     }
     impl_.seal("models", "id = ?", change.id);
+    has_changed(change.id);
     return change.id;
 }
 
@@ -272,14 +303,13 @@ Result<ModelId> Writer::operator()(const RemoveModel& change) {
         return impl_.no_model(change.id);
     }
     revision();
+    has_changed(change.id);
     return change.id;
 }
 
 Result<ModelId> Writer::operator()(const RecordFailure& change) {
     if (!change.content_hash.empty()) {
-        if (query("DELETE FROM models WHERE path = ? AND content_hash <> ?")
-                .bind(change.path, change.content_hash)
-                .run() > 0) {
+        if (remove_where("path = ? AND content_hash <> ?", change.path, change.content_hash)) {
             revision();
         }
     }

@@ -20,9 +20,13 @@ auto state_of(const Key& key) {
 
 Evaluable evaluable(const index::Snapshot& snapshot) {
     std::map<std::string_view, std::size_t> members;
-    for (const index::ModelSummary& model : snapshot.models()) {
-        if (!model.class_name.empty()) ++members[model.class_name];
-    }
+    snapshot.for_each_block([&](const index::ScanBlock& block, std::size_t) {
+        std::vector<std::size_t> counts(block.class_names.size(), 0);
+        for (const std::uint32_t number : block.classes) ++counts[number];
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            if (!block.class_names[i].empty()) members[block.class_names[i]] += counts[i];
+        }
+    });
     Evaluable found;
     for (const auto& [name, count] : members) {
         if (count < 2) continue;
@@ -36,8 +40,12 @@ Evaluations::Compute evaluate_over(std::filesystem::path index) {
     return [index = std::move(index)](const index::Snapshot& snapshot,
                                       const index::EvaluateOptions& options) {
         auto store = index::Store::open(index, index::Access::kReadWrite);
-        return store ? index::evaluate_cached(*store, snapshot, options)
-                     : index::evaluate(snapshot, options);
+        const bool writable = store.ok();
+        if (!writable) store = index::Store::open(index, index::Access::kReadOnly);
+        if (!store) return Result<index::Evaluation>(store.error());
+        index::StorePool stores(*store);
+        return writable ? index::evaluate_cached(*store, snapshot, stores, options)
+                        : index::evaluate(snapshot, stores, options);
     };
 }
 

@@ -176,7 +176,10 @@ double skeleton_information(const matching::SkeletonDescriptor& skeleton) {
 
 FusionSide fusion_side(const descriptor::ModelDescriptor& model, const ModelScale& scale,
                        const RankOptions& options) {
-    const double information = skeleton_information(model.skeleton);
+    return fusion_side(skeleton_information(model.skeleton), scale, options);
+}
+
+FusionSide fusion_side(double information, const ModelScale& scale, const RankOptions& options) {
     FusionSide side{scale, {}, {}, options.size};
     if (options.ranker == RankerKind::kSkeleton) {
         side.weights = column_of_weights(&ComponentWeights::skeleton);

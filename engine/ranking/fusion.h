@@ -22,6 +22,9 @@ struct FusionSide {
 /// @param options  ranker and pose count
 [[nodiscard]] FusionSide fusion_side(const descriptor::ModelDescriptor& model,
                                      const ModelScale& scale, const RankOptions& options);
+/// The same of a model of which only skeleton_information is known.
+[[nodiscard]] FusionSide fusion_side(double information, const ModelScale& scale,
+                                     const RankOptions& options);
 
 /// The fused distance of two models. With z the distance of a component in standard deviations from
 /// the mean, as each of the two models sees it, averaged over both, and f the weighted mean of z

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "engine/core/parallel.h"
 #include "engine/ranking/cancelled.h"
@@ -33,18 +34,6 @@ constexpr double kTypicalWeight = 10.0;
 constexpr double kPooledWeight = 4.0;
 /// A deviation is at least this share of the mean, for collections of copies.
 constexpr double kLeastDeviation = 0.05;
-
-/// Identifies a descriptor by its signature, which every part of it has a share in.
-std::uint64_t model_key(const descriptor::ModelDescriptor& model) {
-    std::uint64_t hash = 0x9E3779B97F4A7C15ULL ^ model.skeleton.rooted.content_key;
-    for (const float value : model.signature) {
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &value, sizeof bits);
-        hash = (hash ^ bits) * 0x100000001B3ULL;
-        hash ^= hash >> 29;
-    }
-    return hash;
-}
 
 /// Running moments for each component; what is not finite does not count. Nor does pose, which is
 /// measured for the models that are ranked by it alone: its scale is the built-in one.
@@ -101,42 +90,109 @@ ModelScale read_scale(const std::vector<double>& values, std::size_t at) {
     return scale;
 }
 
-/// For each model of `rows` the sum of its distances to the references, itself left out.
-std::vector<ScaleSum> sum_distances(DescriptorSpan collection, const std::vector<std::size_t>& rows,
-                                    const std::vector<std::size_t>& references,
-                                    const RankOptions& options) {
-    // Reference i measures the references after it; the other half of that square is its mirror.
-    std::vector<std::vector<ComponentValues>> among(references.size());
-    parallel_for(references.size(), options.jobs, [&](std::size_t i) {
-        PairMeter meter(options);
-        for (std::size_t j = i + 1; j < references.size() && !options.stop.stop_requested(); ++j) {
-            among[i].push_back(
-                meter.components(*collection[references[i]], *collection[references[j]]));
-        }
-    });
-    if (options.stop.stop_requested()) return {};
-    std::vector<ScaleSum> sums(rows.size());
-    parallel_for(rows.size(), options.jobs, [&](std::size_t row) {
-        const auto found = std::lower_bound(references.begin(), references.end(), rows[row]);
-        if (found == references.end() || *found != rows[row]) {
-            PairMeter meter(options);
-            for (const std::size_t reference : references) {
-                if (options.stop.stop_requested()) return;
-                sums[row].add(meter.components(*collection[rows[row]], *collection[reference]));
+/// The descriptors of some models, without those that are not there any more.
+struct Fetched {
+    std::vector<std::size_t> indices;  ///< ascending
+    std::vector<SharedDescriptor> models;
+};
+
+Result<Fetched> fetch(DescriptorSource& collection, std::span<const std::size_t> wanted) {
+    const std::vector<std::uint32_t> indices(wanted.begin(), wanted.end());
+    auto models = collection.fetch(indices);
+    if (!models) return models.error();
+    Fetched fetched;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (!(*models)[i]) continue;
+        fetched.indices.push_back(wanted[i]);
+        fetched.models.push_back(std::move((*models)[i]));
+    }
+    return fetched;
+}
+
+/// Sums of the distances of models to the references, themselves left out.
+class DistancesToReferences {
+public:
+    DistancesToReferences(Fetched references, const RankOptions& options)
+        : references_(std::move(references)), options_(options), among_(size()) {
+        // Reference i measures those after it; the other half of that square is its mirror.
+        parallel_for(size(), options_.jobs, [&](std::size_t i) {
+            PairMeter meter(options_);
+            for (std::size_t j = i + 1; j < size() && !options_.stop.stop_requested(); ++j) {
+                among_[i].push_back(
+                    meter.components(*references_.models[i], *references_.models[j]));
             }
-            return;
+        });
+    }
+
+    [[nodiscard]] ScaleSum of(std::size_t index, const descriptor::ModelDescriptor& model) const {
+        ScaleSum sum;
+        const auto& indices = references_.indices;
+        const auto found = std::lower_bound(indices.begin(), indices.end(), index);
+        if (found == indices.end() || *found != index) {
+            PairMeter meter(options_);
+            for (const SharedDescriptor& reference : references_.models) {
+                if (options_.stop.stop_requested()) return sum;
+                sum.add(meter.components(model, *reference));
+            }
+            return sum;
         }
-        const auto own = static_cast<std::size_t>(found - references.begin());
-        for (std::size_t other = 0; other < references.size(); ++other) {
+        const auto own = static_cast<std::size_t>(found - indices.begin());
+        for (std::size_t other = 0; other < size(); ++other) {
             if (other == own) continue;
             const auto [low, high] = std::minmax(own, other);
-            sums[row].add(among[low][high - low - 1]);
+            sum.add(among_[low][high - low - 1]);
         }
-    });
-    return sums;
+        return sum;
+    }
+
+private:
+    [[nodiscard]] std::size_t size() const { return references_.models.size(); }
+
+    const Fetched references_;
+    const RankOptions& options_;
+    std::vector<std::vector<ComponentValues>> among_;
+};
+
+/// What is known of the models that have rows of their own.
+struct ModelSums {
+    std::vector<std::uint64_t> keys;
+    std::vector<ScaleSum> sums;
+};
+
+Result<ModelSums> sum_distances(DescriptorSource& collection, std::span<const std::size_t> rows,
+                                const DistancesToReferences& distances,
+                                const RankOptions& options) {
+    constexpr std::size_t kModelsAtOnce = 512;
+    ModelSums result;
+    for (std::size_t begin = 0; begin < rows.size(); begin += kModelsAtOnce) {
+        const auto block =
+            fetch(collection, rows.subspan(begin, std::min(kModelsAtOnce, rows.size() - begin)));
+        if (!block) return block.error();
+        std::vector<ScaleSum> sums(block->models.size());
+        parallel_for(sums.size(), options.jobs, [&](std::size_t i) {
+            sums[i] = distances.of(block->indices[i], *block->models[i]);
+        });
+        if (options.stop.stop_requested()) return cancelled();
+        for (const SharedDescriptor& model : block->models) {
+            result.keys.push_back(model_key(*model));
+        }
+        result.sums.insert(result.sums.end(), sums.begin(), sums.end());
+    }
+    return result;
 }
 
 }  // namespace
+
+std::uint64_t model_key(const descriptor::ModelDescriptor& model) {
+    std::uint64_t hash = 0x9E3779B97F4A7C15ULL ^ model.skeleton.rooted.content_key;
+    for (const float value : model.signature) {
+        std::uint32_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        hash = (hash ^ bits) * 0x100000001B3ULL;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
 
 std::vector<std::size_t> reference_models(std::size_t count) {
     const std::size_t affordable =
@@ -165,8 +221,11 @@ Normalization::Normalization(const CollectionStatistics& statistics) : pooled_(k
 }
 
 const ModelScale* Normalization::find(const descriptor::ModelDescriptor& model) const {
-    if (known_.empty()) return nullptr;
-    const auto found = known_.find(model_key(model));
+    return known_.empty() ? nullptr : find(model_key(model));
+}
+
+const ModelScale* Normalization::find(std::uint64_t key) const {
+    const auto found = known_.find(key);
     return found != known_.end() ? &found->second : nullptr;
 }
 
@@ -178,20 +237,31 @@ ModelScale scale_of_row(const std::vector<ComponentValues>& distances, const Mod
 
 Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, int jobs,
                                                    const std::stop_token& stop) {
+    DescriptorsInMemory source(collection);
+    return collection_statistics(source, jobs, stop);
+}
+
+Result<CollectionStatistics> collection_statistics(DescriptorSource& collection, int jobs,
+                                                   const std::stop_token& stop) {
     const std::vector<std::size_t> references = reference_models(collection.size());
     std::vector<std::size_t> rows = references;
-    if (collection.size() <= kMaxKnown) {
+    const bool all_known = collection.size() <= kMaxKnown;
+    if (all_known) {
         rows.resize(collection.size());
         for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
     }
     RankOptions options;
     options.jobs = jobs;
     options.stop = stop;
-    const std::vector<ScaleSum> sums = sum_distances(collection, rows, references, options);
+    auto fetched = fetch(collection, references);
+    if (!fetched) return fetched.error();
+    const DistancesToReferences distances(*std::move(fetched), options);
+    const auto models = sum_distances(collection, rows, distances, options);
+    if (!models) return models.error();
     if (stop.stop_requested()) return cancelled();
 
     ScaleSum all;
-    for (const ScaleSum& sum : sums) all.add(sum);
+    for (const ScaleSum& sum : models->sums) all.add(sum);
     const ModelScale pooled = all.scale(kTypicalScale, kTypicalWeight);
 
     CollectionStatistics statistics;
@@ -199,12 +269,12 @@ Result<CollectionStatistics> collection_statistics(DescriptorSpan collection, in
     values = {kFormat, static_cast<double>(kComponentCount),
               static_cast<double>(collection.size())};
     append(pooled, values);
-    if (rows.size() != collection.size()) return statistics;
-    for (std::size_t row = 0; row < rows.size(); ++row) {
-        const std::uint64_t key = model_key(*collection[rows[row]]);
+    if (!all_known) return statistics;
+    for (std::size_t row = 0; row < models->sums.size(); ++row) {
+        const std::uint64_t key = models->keys[row];
         values.push_back(static_cast<double>(key >> 32));
         values.push_back(static_cast<double>(key & 0xFFFFFFFFULL));
-        append(sums[row].scale(pooled, kPooledWeight), values);
+        append(models->sums[row].scale(pooled, kPooledWeight), values);
     }
     return statistics;
 }

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/ranking/descriptor_source.h"
 #include "engine/ranking/pair_distances.h"
 
 namespace ossuary::ranking {
@@ -25,10 +26,12 @@ struct ModelScale {
 class Normalization {
 public:
     /// Statistics that are empty or of another format leave the built-in scale.
-    explicit Normalization(const CollectionStatistics& statistics);
+    explicit Normalization(const CollectionStatistics& statistics = {});
 
     /// The model's own scale where the statistics know it, else null.
     [[nodiscard]] const ModelScale* find(const descriptor::ModelDescriptor& model) const;
+    /// The same by model_key.
+    [[nodiscard]] const ModelScale* find(std::uint64_t key) const;
     [[nodiscard]] const ModelScale& pooled() const { return pooled_; }
     /// Models that the statistics are of.
     [[nodiscard]] std::size_t collection_size() const { return collection_size_; }
@@ -44,6 +47,16 @@ private:
     std::size_t collection_size_ = 0;
     std::unordered_map<std::uint64_t, ModelScale> known_;
 };
+
+/// What statistics know a model by: a hash of its signature and of its skeleton, which every part
+/// of a descriptor has a share in.
+[[nodiscard]] std::uint64_t model_key(const descriptor::ModelDescriptor& model);
+
+/// The same as for descriptors in memory (ranker.h), of which few are in use at a time here: those
+/// of the references and of a block of others. Models that are not there any more do not count.
+/// Errors: cancelled, those of the source.
+Result<CollectionStatistics> collection_statistics(DescriptorSource& collection, int jobs = 1,
+                                                   const std::stop_token& stop = {});
 
 /// Indices of the models that others are judged by, ascending: all of a small collection, else
 /// evenly spread over it, at most 500.

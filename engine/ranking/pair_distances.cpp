@@ -18,15 +18,20 @@ double distance_by(const descriptor::ModelDescriptor& a, const descriptor::Model
 
 }  // namespace
 
-double build_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
+double build_of(double thickness, double thickness_pairs, double skeleton_pairs) {
     // Each over its mean over many kinds.
     constexpr double kThickness = 3.0 / 1900.0;
     constexpr double kThicknessPairs = 1.0 / 4000.0;
     constexpr double kSkeletonPairs = 1.2 / 3000.0;
+    return kThickness * thickness + kThicknessPairs * thickness_pairs +
+           kSkeletonPairs * skeleton_pairs;
+}
+
+double build_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {
     constexpr double kBuildAlone = 0.0;
-    return kThickness * distance_by(a, b, descriptor::kThicknessPlace) +
-           kThicknessPairs * distance_by(a, b, descriptor::kThicknessPairsPlace) +
-           kSkeletonPairs * distance_by(a, b, descriptor::kSkeletonPairsPlace, kBuildAlone);
+    return build_of(distance_by(a, b, descriptor::kThicknessPlace),
+                    distance_by(a, b, descriptor::kThicknessPairsPlace),
+                    distance_by(a, b, descriptor::kSkeletonPairsPlace, kBuildAlone));
 }
 
 double pose_distance(const descriptor::ModelDescriptor& a, const descriptor::ModelDescriptor& b) {

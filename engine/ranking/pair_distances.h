@@ -43,6 +43,9 @@ inline constexpr std::size_t kSkeletonComponents = 3;
 [[nodiscard]] double build_distance(const descriptor::ModelDescriptor& a,
                                     const descriptor::ModelDescriptor& b);
 
+/// The same from the three distances that it is made of.
+[[nodiscard]] double build_of(double thickness, double thickness_pairs, double skeleton_pairs);
+
 /// How differently two bodies stand, whatever they are: descriptor::pose_points_distance.
 [[nodiscard]] double pose_distance(const descriptor::ModelDescriptor& a,
                                    const descriptor::ModelDescriptor& b);

@@ -1,25 +1,43 @@
 #include "engine/ranking/preselection.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "engine/core/parallel.h"
 #include "engine/descriptor/byte_distance.h"
-#include "engine/descriptor/signature.h"
 #include "engine/ranking/cancelled.h"
-#include "engine/ranking/each_with_meter.h"
-#include "engine/ranking/fusion.h"
-#include "engine/ranking/rerank.h"
+#include "engine/ranking/near_search.h"
 
 namespace ossuary::ranking {
 namespace {
 
-/// A signature's values are at most 0.4 for the Princeton models.
-constexpr float kByteScale = 600.0F;
+/// Models that one thread scans at a time.
+constexpr std::size_t kScanned = 16384;
 
-std::uint8_t to_byte(float value) {
-    return static_cast<std::uint8_t>(std::clamp(std::round(kByteScale * value), 0.0F, 255.0F));
+using Distance = std::uint16_t;
+static_assert(descriptor::kSignatureSize * 255 <= std::numeric_limits<Distance>::max());
+
+/// The places of the `count` least distances, ascending; of equal ones the first. Counting the few
+/// distances that there are takes a sixth of the time of std::nth_element.
+std::vector<std::uint32_t> least(const std::vector<Distance>& distances, std::size_t count) {
+    std::vector<std::uint32_t> places;
+    const std::size_t kept = std::min(count, distances.size());
+    if (kept == 0) return places;
+    std::vector<std::uint32_t> models(std::numeric_limits<Distance>::max() + 1UL, 0);
+    for (const Distance distance : distances) ++models[distance];
+    std::size_t last = 0, before = 0;
+    while (before + models[last] < kept) before += models[last++];
+    std::size_t of_last = kept - before;
+    places.reserve(kept);
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        if (distances[i] > last || (distances[i] == last && of_last == 0)) continue;
+        if (distances[i] == last) --of_last;
+        places.push_back(static_cast<std::uint32_t>(i));
+    }
+    return places;
 }
 
 void keep_nearest(std::vector<RankedModel>& models, std::size_t count) {
@@ -32,181 +50,154 @@ void keep_nearest(std::vector<RankedModel>& models, std::size_t count) {
     models.resize(kept);
 }
 
-/// A search in a large collection: what its stages share.
-class Search {
-public:
-    Search(const descriptor::ModelDescriptor& query, DescriptorSpan collection,
-           const Normalization& normalization, const RankOptions& options)
-        : query_(query),
-          collection_(collection),
-          normalization_(normalization),
-          options_(options),
-          cheap_options_(without_pose(options)),
-          scale_(query_scale()),
-          side_(fusion_side(query, scale_, options)),
-          cheap_side_(without_tree_edit(fusion_side(query, scale_, cheap_options_))) {}
-
-    /// The query's distance to each model, by all components or by the cheap ones alone.
-    void measure(std::vector<RankedModel>& models, bool without_tree) const {
-        const RankOptions& options = without_tree ? cheap_options_ : options_;
-        for_each_with_meter(models.size(), options, [&](PairMeter& meter, std::size_t i) {
-            const descriptor::ModelDescriptor& model = *collection_[models[i].index];
-            const FusionSide own = side_of(models[i].index, options);
-            models[i].distance = without_tree
-                                     ? fused_distance(meter.cheap_components(query_, model),
-                                                      cheap_side_, without_tree_edit(own))
-                                     : fused_distance(meter.components(query_, model), side_, own);
+/// Every model that may be a hit, or that others are re-ranked by, measured by blocks.
+Result<std::vector<RankedModel>> measure_all(NearSearch& search, std::size_t size,
+                                             const RankOptions& options,
+                                             const NearestOptions& nearest) {
+    std::vector<RankedModel> models;
+    // With re-ranking all places are found before those that may be hits are taken.
+    const bool chosen_last = options.rerank && nearest.among;
+    if (nearest.among && !chosen_last) {
+        for (const std::uint32_t i : *nearest.among) models.push_back({i, 0.0});
+    } else {
+        models.resize(size);
+        for (std::size_t i = 0; i < size; ++i) models[i].index = i;
+    }
+    if (auto measured = search.measure(models); !measured) return measured.error();
+    if (options.rerank) {
+        keep_nearest(models, models.size());
+        if (auto done = search.rerank_models(models); !done) return done.error();
+    }
+    if (chosen_last) {
+        std::erase_if(models, [&](const RankedModel& model) {
+            return !std::binary_search(nearest.among->begin(), nearest.among->end(), model.index);
         });
     }
+    return models;
+}
 
-    /// Re-ranks models that are sorted by distance.
-    void rerank_models(std::vector<RankedModel>& models) const {
-        std::vector<double> distances;
-        for (const RankedModel& model : models) distances.push_back(model.distance);
-        const auto among = [&](std::size_t i, std::span<const std::size_t> others) {
-            PairMeter meter(options_);
-            const std::size_t own = models[i].index;
-            const FusionSide side = side_of(own, options_);
-            std::vector<double> row(others.size());
-            for (std::size_t k = 0; k < others.size() && !options_.stop.stop_requested(); ++k) {
-                const std::size_t index = models[others[k]].index;
-                row[k] = fused_distance(meter.components(*collection_[own], *collection_[index]),
-                                        side, side_of(index, options_));
-            }
-            return row;
-        };
-        distances = rerank(distances, among, {}, options_.jobs);
-        for (std::size_t i = 0; i < models.size(); ++i) models[i].distance = distances[i];
-    }
-
-private:
-    /// As rank_distances has it: its own where known, else by its distances to the references.
-    [[nodiscard]] ModelScale query_scale() const {
-        if (const ModelScale* own = normalization_.find(query_)) return *own;
-        const std::vector<std::size_t> references = reference_models(collection_.size());
-        std::vector<ComponentValues> row(references.size());
-        for_each_with_meter(references.size(), cheap_options_,
-                            [&](PairMeter& meter, std::size_t i) {
-                                row[i] = meter.components(query_, *collection_[references[i]]);
-                            });
-        return scale_of_row(row, normalization_.pooled());
-    }
-
-    [[nodiscard]] FusionSide side_of(std::size_t index, const RankOptions& options) const {
-        const descriptor::ModelDescriptor& model = *collection_[index];
-        return fusion_side(model, normalization_.scale(model), options);
-    }
-
-    /// The pose costs too much to be measured before the finalists are known: those are models of
-    /// the query's kind, among which the pose then decides.
-    static RankOptions without_pose(RankOptions options) {
-        options.pose = std::min(options.pose, kDefaultPose);
-        return options;
-    }
-
-    /// The pairs of the skeleton's points stand in for the tree edit distance.
-    static FusionSide without_tree_edit(FusionSide side) {
-        side.weights[1] += side.weights[0];
-        side.weights[0] = 0.0;
-        return side;
-    }
-
-    const descriptor::ModelDescriptor& query_;
-    DescriptorSpan collection_;
-    const Normalization& normalization_;
-    const RankOptions& options_;
-    RankOptions cheap_options_;
-    ModelScale scale_;
-    FusionSide side_, cheap_side_;
-};
-
-Result<std::vector<RankedModel>> all_models(const descriptor::ModelDescriptor& query,
-                                            DescriptorSpan collection,
-                                            const CollectionStatistics& statistics,
-                                            const RankOptions& options,
-                                            const NearestOptions& nearest) {
-    const auto distances = rank_distances(query, collection, statistics, options);
-    if (!distances) return distances.error();
+Result<std::vector<RankedModel>> measure_nearest(NearSearch& search,
+                                                 const descriptor::ModelDescriptor& query,
+                                                 const Preselection& preselection,
+                                                 const RankOptions& options,
+                                                 const NearestOptions& nearest) {
     std::vector<RankedModel> models;
-    if (nearest.among) {
-        for (const std::uint32_t i : *nearest.among) models.push_back({i, (*distances)[i]});
-    } else {
-        for (std::size_t i = 0; i < distances->size(); ++i) models.push_back({i, (*distances)[i]});
+    for (const std::uint32_t index : preselection.nearest(query.signature, nearest.by_signature,
+                                                          nearest.among, options.jobs)) {
+        models.push_back({index, 0.0});
     }
-    keep_nearest(models, nearest.count + nearest.spare);
+    search.sketch(models, preselection);
+    keep_nearest(models, nearest.by_sketch);
+    if (auto done = search.measure_cheaply(models); !done) return done.error();
+    keep_nearest(models, nearest.by_globals);
+    if (auto done = search.measure(models); !done) return done.error();
+    if (options.rerank) {
+        keep_nearest(models, models.size());
+        if (auto done = search.rerank_models(models); !done) return done.error();
+    }
     return models;
 }
 
 }  // namespace
 
-Preselection::Preselection(DescriptorSpan collection) : count_(collection.size()) {
-    bytes_.resize(count_ * descriptor::kSignatureSize);
-    for (std::size_t i = 0; i < count_; ++i) {
-        const std::vector<float>& signature = collection[i]->signature;
-        const std::size_t size = std::min(signature.size(), descriptor::kSignatureSize);
-        for (std::size_t k = 0; k < size; ++k) {
-            bytes_[i * descriptor::kSignatureSize + k] = to_byte(signature[k]);
+Preselection::Preselection(std::vector<const ScanRows*> blocks) : blocks_(std::move(blocks)) {
+    first_.reserve(blocks_.size() + 1);
+    first_.push_back(0);
+    for (const ScanRows* block : blocks_) first_.push_back(first_.back() + block->size());
+}
+
+std::size_t Preselection::block_of(std::uint32_t index) const {
+    assert(index < size());
+    return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), index) -
+                                    first_.begin()) -
+           1;
+}
+
+ScanRow Preselection::row(std::uint32_t index) const {
+    const std::size_t block = block_of(index);
+    return blocks_[block]->row(index - first_[block]);
+}
+
+std::vector<std::uint16_t> Preselection::distances(
+    std::span<const std::uint8_t> query, std::optional<std::span<const std::uint32_t>> among,
+    int jobs) const {
+    std::vector<Distance> distances(among ? among->size() : size());
+    const auto scan = [&](std::size_t begin, std::size_t end) {
+        std::size_t block = 0;
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t i = among ? (*among)[k] : k;
+            if (k == begin) block = block_of(static_cast<std::uint32_t>(i));
+            while (i >= first_[block + 1]) ++block;
+            const std::uint8_t* signature = blocks_[block]->signatures.data() +
+                                            (i - first_[block]) * descriptor::kSignatureSize;
+            distances[k] = static_cast<Distance>(descriptor::byte_distance(
+                query.data(), signature, descriptor::kSignatureSize));
         }
-    }
+    };
+    parallel_for((distances.size() + kScanned - 1) / kScanned, jobs, [&](std::size_t part) {
+        scan(part * kScanned, std::min(distances.size(), (part + 1) * kScanned));
+    });
+    return distances;
 }
 
 std::vector<std::uint32_t> Preselection::nearest(
     std::span<const float> signature, std::size_t count,
-    std::optional<std::span<const std::uint32_t>> among) const {
-    std::vector<std::uint8_t> query(descriptor::kSignatureSize, 0);
-    std::transform(signature.begin(),
-                   signature.begin() + static_cast<std::ptrdiff_t>(
-                                           std::min(signature.size(), descriptor::kSignatureSize)),
-                   query.begin(), to_byte);
-    // Distance and index in one number, so that selecting compares one.
-    std::vector<std::uint64_t> order(among ? among->size() : count_);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const std::size_t i = among ? (*among)[k] : k;
-        assert(i < count_);
-        const std::uint64_t distance =
-            descriptor::byte_distance(query.data(), bytes_.data() + i * descriptor::kSignatureSize,
-                                      descriptor::kSignatureSize);
-        order[k] = distance << 32 | i;
+    std::optional<std::span<const std::uint32_t>> among, int jobs) const {
+    std::vector<std::uint32_t> places =
+        least(distances(signature_bytes(signature), among, jobs), count);
+    if (among) {
+        for (std::uint32_t& place : places) place = (*among)[place];
     }
-    const std::size_t kept = std::min(count, order.size());
-    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept), order.end());
-    std::vector<std::uint32_t> indices;
-    indices.reserve(kept);
-    for (std::size_t i = 0; i < kept; ++i) {
-        indices.push_back(static_cast<std::uint32_t>(order[i] & 0xFFFFFFFFULL));
+    return places;
+}
+
+namespace {
+
+/// Finalists for one model that is wanted, where very many are.
+constexpr std::size_t kFinalistsForOne = 4;
+
+// Of the width of stages see docs/performance.md.
+constexpr std::size_t kBySignature = 8000, kBySketch = 300, kByGlobals = 120;
+/// In larger collections, a share of the models.
+constexpr std::size_t kShareBySignature = 25;
+
+}  // namespace
+
+NearestOptions with_widths(NearestOptions nearest, std::size_t models) {
+    const std::size_t finalists = kFinalistsForOne * nearest.count;
+    if (nearest.by_signature == 0) {
+        nearest.by_signature = std::max(kBySignature, models / kShareBySignature);
     }
-    std::sort(indices.begin(), indices.end());
-    return indices;
+    if (nearest.by_sketch == 0) nearest.by_sketch = kBySketch;
+    if (nearest.by_globals == 0) nearest.by_globals = kByGlobals;
+    nearest.by_globals = std::max(nearest.by_globals, finalists);
+    nearest.by_sketch = std::max(nearest.by_sketch, 2 * finalists);
+    nearest.by_signature = std::max(nearest.by_signature, 8 * finalists);
+    return nearest;
+}
+
+bool measures_all(std::size_t models, const RankOptions& options, const NearestOptions& nearest) {
+    return options.part || options.ranker == RankerKind::kChainCode ||
+           models <= nearest.exhaustive_below || nearest.count > models / kFinalistsForOne ||
+           (options.rerank && nearest.among);
 }
 
 Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
-                                                DescriptorSpan collection,
+                                                DescriptorSource& collection,
                                                 const Preselection& preselection,
-                                                const CollectionStatistics& statistics,
+                                                const Normalization& normalization,
                                                 const RankOptions& options,
                                                 const NearestOptions& nearest) {
-    if (options.part || options.ranker == RankerKind::kChainCode ||
-        collection.size() <= nearest.exhaustive_below || 10 * nearest.count > nearest.by_globals ||
-        (options.rerank && nearest.among)) {
-        return all_models(query, collection, statistics, options, nearest);
-    }
-    assert(preselection.size() == collection.size());
-    const Normalization normalization(statistics);
-    const Search search(query, collection, normalization, options);
-    std::vector<RankedModel> models;
-    for (const std::uint32_t index :
-         preselection.nearest(query.signature, nearest.by_signature, nearest.among)) {
-        models.push_back({index, 0.0});
-    }
-    search.measure(models, true);
-    keep_nearest(models, nearest.by_globals);
-    search.measure(models, false);
-    if (options.rerank) {
-        keep_nearest(models, models.size());
-        search.rerank_models(models);
-    }
+    const bool all = measures_all(collection.size(), options, nearest);
+    assert(all || preselection.size() == collection.size());
+    NearSearch search(query, collection, normalization, options);
+    if (auto ready = search.judge_query(all); !ready) return ready.error();
+    auto models = all ? measure_all(search, collection.size(), options, nearest)
+                      : measure_nearest(search, query, preselection, options,
+                                        with_widths(nearest, collection.size()));
+    if (!models) return models;
     if (options.stop.stop_requested()) return cancelled();
-    keep_nearest(models, nearest.count + nearest.spare);
+    keep_nearest(*models, nearest.count + nearest.spare);
     return models;
 }
 

@@ -8,7 +8,6 @@
 
 #include "engine/core/result.h"
 #include "engine/descriptor/model_descriptor.h"
-#include "engine/matching/match.h"
 
 namespace ossuary::ranking {
 
@@ -82,16 +81,5 @@ Result<std::vector<double>> rank_distances(const descriptor::ModelDescriptor& qu
 Result<DistanceMatrix> distance_matrix(DescriptorSpan collection,
                                        const CollectionStatistics& statistics,
                                        const RankOptions& options = {});
-
-/// The distance of one pair with its parts and correspondences. For `hybrid` the parts are the
-/// normalised shares of each descriptor, of build and of pose, for `skeleton` those of the tree
-/// edit distance, of the pairs of points and of their layout, of build and of pose; the
-/// correspondence is that of the tree edit distance. `rerank` is not a matter of one pair and is
-/// ignored; a query that the statistics do not know is judged by the pooled scale, so its distance
-/// may differ a little from that of rank_distances. Errors: cancelled.
-Result<matching::Match> explain(const descriptor::ModelDescriptor& query,
-                                const descriptor::ModelDescriptor& other,
-                                const CollectionStatistics& statistics,
-                                const RankOptions& options = {});
 
 }  // namespace ossuary::ranking

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/parallel.h"
 #include "engine/core/whole_file.h"
 #include "engine/ranking/classification.h"
 #include "index/build_and_pose.h"
@@ -82,9 +83,22 @@ void print_evaluation(const index::Evaluation& evaluation) {
     std::cout << table.text();
 }
 
+/// An evaluation of many models says beforehand what it takes.
+void say_what_it_costs(std::size_t models, const Session& session) {
+    constexpr std::size_t kFew = 2000;
+    if (models <= kFew) return;
+    constexpr double kPairMs = 0.035, kDescriptorMb = 0.025, kMatrixMb = 12e-6;
+    const auto count = static_cast<double>(models);
+    std::cerr << terminal_format(
+        "all pairs of up to {} models: up to {:.0f} s for each ranker, {:.0f} MB of memory\n", models,
+        0.5 * count * count * kPairMs / 1000.0 / resolve_jobs(session.jobs),
+        count * kDescriptorMb + count * count * kMatrixMb);
+}
+
 Result<std::vector<index::Evaluation>> evaluate_all(const EvaluateArguments& options,
                                                     const Session& session,
-                                                    const index::Snapshot& snapshot) {
+                                                    const index::Snapshot& snapshot,
+                                                    index::StorePool& stores) {
     const Result<std::vector<ranking::RankOptions>> ranks =
         options.ranking.rank_options(session.jobs);
     if (!ranks.ok()) return ranks.error();
@@ -98,7 +112,7 @@ Result<std::vector<index::Evaluation>> evaluate_all(const EvaluateArguments& opt
     std::vector<index::Evaluation> evaluations;
     for (const ranking::RankOptions& rank : *ranks) {
         evaluate_options.rank = rank;
-        Result<index::Evaluation> evaluation = index::evaluate(snapshot, evaluate_options);
+        Result<index::Evaluation> evaluation = index::evaluate(snapshot, stores, evaluate_options);
         if (!evaluation.ok()) return evaluation.error();
         evaluations.push_back(*std::move(evaluation));
     }
@@ -107,7 +121,7 @@ Result<std::vector<index::Evaluation>> evaluate_all(const EvaluateArguments& opt
 
 /// The report, and pictures of what pose does for rankers that know it.
 Result<void> write_reports(const EvaluateArguments& options, const Session& session,
-                           index::Store& store, const index::Snapshot& snapshot,
+                           index::Searcher& searcher, const index::Snapshot& snapshot,
                            const std::vector<index::Evaluation>& evaluations) {
     const auto written = index::write_report(options.report_folder, evaluations);
     if (!written.ok()) return written.error();
@@ -116,9 +130,11 @@ Result<void> write_reports(const EvaluateArguments& options, const Session& sess
         return evaluation.ranker != ranking::RankerKind::kChainCode;
     };
     if (std::none_of(evaluations.begin(), evaluations.end(), knows_pose)) return {};
-    const auto examples =
-        index::pose_examples(snapshot, evaluations.front(), kPosesOfAClass, session.jobs);
-    const auto poses = index::write_pose_gallery(options.report_folder, store, examples);
+    const auto examples = index::pose_examples(snapshot, searcher.stores(), evaluations.front(),
+                                               kPosesOfAClass, session.jobs);
+    if (!examples.ok()) return examples.error();
+    const auto poses =
+        index::write_pose_gallery(options.report_folder, searcher.store(), *examples);
     if (!poses.ok()) return poses.error();
     std::cerr << terminal_format("models in like poses in {}/poses.html\n", options.report_folder);
     return {};
@@ -166,6 +182,7 @@ Result<index::BuildAndPoseOptions> read_build_and_pose(const EvaluateArguments& 
 Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const EvaluateArguments& options,
                                                             const Session& session,
                                                             const index::Snapshot& snapshot,
+                                                            index::StorePool& stores,
                                                             index::BuildAndPoseOptions asked) {
     const Result<std::vector<ranking::RankOptions>> ranks =
         options.ranking.rank_options(session.jobs);
@@ -173,7 +190,7 @@ Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const EvaluateArgume
     std::vector<index::BuildAndPose> evaluations;
     for (const ranking::RankOptions& rank : *ranks) {
         asked.rank = rank;
-        Result<index::BuildAndPose> evaluation = index::evaluate_build_and_pose(snapshot, asked);
+        Result<index::BuildAndPose> evaluation = index::evaluate_build_and_pose(snapshot, stores, asked);
         if (!evaluation.ok()) return evaluation.error();
         evaluations.push_back(*std::move(evaluation));
     }
@@ -182,18 +199,20 @@ Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const EvaluateArgume
 
 /// The curves as values, and in the page that shows like poses.
 Result<void> write_build_and_pose(const EvaluateArguments& options, const Session& session,
-                                  index::Store& store, const index::Snapshot& snapshot,
+                                  index::Searcher& searcher, const index::Snapshot& snapshot,
                                   const ranking::Classification& builds,
                                   const std::vector<index::BuildAndPose>& evaluations) {
-    const auto models = index::classified_models(snapshot, builds);
+    const auto models = index::classified_models(snapshot, searcher.stores(), builds);
     if (!models.ok()) return models.error();
     index::Evaluation shown;
     shown.labels = models->labels;
     for (const std::size_t position : models->positions) {
-        shown.order.push_back(snapshot.models()[position].id);
+        shown.order.push_back(snapshot.id(position));
     }
-    const auto examples = index::pose_examples(snapshot, shown, kPosesOfAClass, session.jobs);
-    const auto page = index::write_pose_gallery(options.report_folder, store, examples,
+    const auto examples = index::pose_examples(snapshot, searcher.stores(), shown, kPosesOfAClass,
+                                               session.jobs);
+    if (!examples.ok()) return examples.error();
+    const auto page = index::write_pose_gallery(options.report_folder, searcher.store(), *examples,
                                                 index::build_and_pose_svg(evaluations));
     if (!page.ok()) return page.error();
     std::cerr << terminal_format("curves and models in like poses in {}/poses.html\n",
@@ -217,10 +236,10 @@ Result<ExitCode> run_build_and_pose(const EvaluateArguments& options, const Sess
     if (!snapshot.ok()) return snapshot.error();
     const auto asked = read_build_and_pose(options);
     if (!asked.ok()) return asked.error();
-    const auto evaluations = ask_build_and_pose(options, session, **snapshot, *asked);
+    const auto evaluations = ask_build_and_pose(options, session, **snapshot, searcher->stores(), *asked);
     if (!evaluations.ok()) return evaluations.error();
     if (!options.report_folder.empty()) {
-        const auto written = write_build_and_pose(options, session, searcher->store(), **snapshot,
+        const auto written = write_build_and_pose(options, session, *searcher, **snapshot,
                                                   asked->build, *evaluations);
         if (!written.ok()) return written.error();
     }
@@ -239,8 +258,9 @@ Result<ExitCode> run(const EvaluateArguments& options, const Session& session) {
     if (!searcher.ok()) return searcher.error();
     const auto snapshot = searcher->snapshot();
     if (!snapshot.ok()) return snapshot.error();
+    say_what_it_costs((*snapshot)->size(), session);
     const Result<std::vector<index::Evaluation>> evaluations =
-        evaluate_all(options, session, **snapshot);
+        evaluate_all(options, session, **snapshot, searcher->stores());
     if (!evaluations.ok()) return evaluations.error();
     if (!options.matrix_path.empty()) {
         const auto written =
@@ -249,7 +269,7 @@ Result<ExitCode> run(const EvaluateArguments& options, const Session& session) {
     }
     if (!options.report_folder.empty()) {
         const auto written =
-            write_reports(options, session, searcher->store(), **snapshot, *evaluations);
+            write_reports(options, session, *searcher, **snapshot, *evaluations);
         if (!written.ok()) return written.error();
     }
     print_all(session, *evaluations, print_evaluation);

@@ -4,7 +4,9 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/parallel.h"
 #include "engine/mesh/read_mesh.h"
+#include "engine/ranking/preselection.h"
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/options.h"
@@ -41,14 +43,29 @@ void print_hits(const index::SearchResult& result) {
                                  result.models, result.took_ms);
 }
 
+/// A search that measures every model of a large collection says so beforehand.
+void say_what_all_costs(std::size_t models, const ranking::RankOptions& rank, std::size_t limit) {
+    const ranking::NearestOptions nearest{.count = limit == 0 ? models : limit};
+    if (models <= nearest.exhaustive_below || !ranking::measures_all(models, rank, nearest)) return;
+    // Of one model on one core: reading its descriptor, then matching it.
+    constexpr double kReadMs = 0.4, kPartMs = 3.5, kPairMs = 0.1;
+    const double seconds = static_cast<double>(models) *
+                           (kReadMs + (rank.part ? kPartMs : kPairMs)) / 1000.0 /
+                           resolve_jobs(rank.jobs);
+    std::cerr << terminal_format("every one of {} models is measured for this: some {:.0f} s\n",
+                                 models, seconds);
+}
+
 Result<ExitCode> run(const SearchArguments& options, const Session& session) {
     const Result<std::vector<ranking::RankOptions>> rank =
         options.ranking.rank_options(session.jobs);
     if (!rank.ok()) return rank.error();
     Result<index::Searcher> searcher = index::Searcher::open(options.index_path);
     if (!searcher.ok()) return searcher.error();
-    // Loading the index is not part of the answer's time; a server does it once.
-    if (const auto snapshot = searcher->snapshot(); !snapshot.ok()) return snapshot.error();
+    // Opening the index is not part of the answer's time; a server does it once.
+    const auto snapshot = searcher->snapshot();
+    if (!snapshot.ok()) return snapshot.error();
+    say_what_all_costs((*snapshot)->size(), rank->front(), options.limit);
 
     Stopwatch watch;
     const Result<mesh::ReadMeshResult> query =

@@ -41,10 +41,12 @@ nlohmann::json search_json(Service& service, const index::SearchResult& result,
                            const ranking::RankOptions& options) {
     nlohmann::json json = index::to_json(result, query, options);
     const index::ModelRoots roots = roots_of(service);
+    const auto store = service.searcher.stores().lend();
     for (nlohmann::json& hit : json["hits"]) {
         hit["path"] = roots.relative(hit["path"].get<std::string>());
         // Which way a model stands may have changed without a new revision; it may be gone, too.
-        const auto model = service.searcher.store().model(hit["id"].get<index::ModelId>());
+        const auto model = store ? (*store)->model(hit["id"].get<index::ModelId>())
+                                 : Result<index::ModelSummary>(store.error());
         const std::string picture =
             "/v1/models/" + std::to_string(hit["id"].get<index::ModelId>()) + "/thumbnail.png";
         hit["thumbnail"] = model ? picture + "?v=" + thumbnail_version(*model) : picture;

@@ -112,31 +112,32 @@ Checked<Response> list_models(Service& service, const Request& request) {
     if (!list) return tl::unexpected<Problem>(list.error());
     const auto snapshot = service.searcher.snapshot();
     if (!snapshot) return fail(snapshot.error());
-    const std::vector<std::size_t> found =
-        index::list_models(**snapshot, list->filter, list->order);
-    const std::vector<index::ModelSummary>& models = (*snapshot)->models();
-    std::size_t first = std::min(list->offset, found.size());
+    const auto store = service.searcher.stores().lend();
+    if (!store) return fail(store.error());
+    const auto found = index::list_models(**snapshot, **store, list->filter, list->order);
+    if (!found) return fail(found.error());
+    std::size_t first = std::min(list->offset, found->size());
     if (list->after) {
         first = static_cast<std::size_t>(
-            std::partition_point(found.begin(), found.end(),
-                                 [&](std::size_t at) { return models[at].id <= *list->after; }) -
-            found.begin());
+            std::partition_point(
+                found->begin(), found->end(),
+                [&](std::size_t at) { return (*snapshot)->id(at) <= *list->after; }) -
+            found->begin());
     }
-    const std::size_t end = std::min(first + list->limit, found.size());
+    const std::size_t end = std::min(first + list->limit, found->size());
     auto page = nlohmann::json::array();
     for (std::size_t i = first; i < end; ++i) {
-        // Which way it stands may have changed without a new revision; it may be gone, too.
-        const auto model = service.searcher.store().model(models[found[i]].id);
-        if (!model && model.error().code != ErrorCode::kModelNotFound) return fail(model.error());
-        page.push_back(
-            model_json(service, (*snapshot)->roots(), model ? *model : models[found[i]]));
+        const auto model = (*store)->model((*snapshot)->id((*found)[i]));
+        if (!model && model.error().code == ErrorCode::kModelNotFound) continue;  // gone since
+        if (!model) return fail(model.error());
+        page.push_back(model_json(service, (*snapshot)->roots(), *model));
     }
     nlohmann::json json = {{"models", std::move(page)},
                            {"next_cursor", nullptr},
-                           {"total", found.size()},
+                           {"total", found->size()},
                            {"revision", (*snapshot)->revision()}};
-    if (end < found.size() && end > first && list->order == index::CatalogueOrder::kId) {
-        json["next_cursor"] = to_cursor(models[found[end - 1]].id, list->filter);
+    if (end < found->size() && end > first && list->order == index::CatalogueOrder::kId) {
+        json["next_cursor"] = to_cursor((*snapshot)->id((*found)[end - 1]), list->filter);
     }
     return conditional(request.head, json_answer(json));
 }
@@ -147,10 +148,13 @@ Checked<Response> list_facets(Service& service, const Request& request) {
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
     const auto snapshot = service.searcher.snapshot();
     if (!snapshot) return fail(snapshot.error());
-    const index::Facets facets = index::count_facets(**snapshot, filter);
-    return conditional(request.head, json_answer({{"classes", values_json(facets.classes)},
-                                                  {"folders", values_json(facets.folders)},
-                                                  {"kinds", values_json(facets.kinds)},
+    const auto store = service.searcher.stores().lend();
+    if (!store) return fail(store.error());
+    const auto facets = index::count_facets(**snapshot, **store, filter);
+    if (!facets) return fail(facets.error());
+    return conditional(request.head, json_answer({{"classes", values_json(facets->classes)},
+                                                  {"folders", values_json(facets->folders)},
+                                                  {"kinds", values_json(facets->kinds)},
                                                   {"revision", (*snapshot)->revision()}}));
 }
 

@@ -25,8 +25,7 @@ Checked<Response> similar(Service& service, const Request& request) {
 
     const auto snapshot = service.searcher.snapshot();
     if (!snapshot) return fail(snapshot.error());
-    const auto position = (*snapshot)->find(*id);
-    if (!position) {
+    if (!(*snapshot)->find(*id)) {
         return fail({ErrorCode::kModelNotFound, "There is no model " + request.capture + "."});
     }
     std::string etag = ranking_tag(service, **snapshot, request.head);
@@ -36,11 +35,13 @@ Checked<Response> similar(Service& service, const Request& request) {
     if (!slot) return tl::unexpected<Problem>(slot.error());
     const auto result = service.searcher.similar(*id, options, request.stop);
     if (!result) return fail(result.error());
-    const index::ModelSummary& model = (*snapshot)->models()[*position];
-    return conditional(request.head,
-                       json_answer(search_json(
-                           service, *result, {model.name, model.vertices, model.faces, model.frame},
-                           options.rank)),
+    const auto model = service.searcher.store().model(*id);
+    if (!model) return fail(model.error());
+    return conditional(
+        request.head,
+        json_answer(search_json(service, *result,
+                                {model->name, model->vertices, model->faces, model->frame},
+                                options.rank)),
                        std::move(etag));
 }
 

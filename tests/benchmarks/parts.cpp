@@ -18,6 +18,7 @@
 #include "engine/ranking/classification.h"
 #include "engine/ranking/part_search.h"
 #include "engine/ranking/ranker.h"
+#include "index/evaluation.h"
 #include "index/searcher.h"
 #include "tests/support/benchmark_data.h"
 
@@ -139,12 +140,19 @@ void run(const fs::path& collection, const fs::path& index_path) {
     index::Searcher searcher = unwrap(index::Searcher::open(index_path));
     const auto snapshot = unwrap(searcher.snapshot());
     std::vector<std::string> labels;
-    for (const auto& model : snapshot->models()) labels.push_back(model.class_name);
+    std::vector<std::size_t> positions;
+    for (std::size_t i = 0; i < snapshot->size(); ++i) {
+        labels.emplace_back(snapshot->class_name(i));
+        positions.push_back(i);
+    }
+    const auto loaded = unwrap(index::load_descriptors(*snapshot, searcher.stores(), positions, 0));
+    std::vector<const ossuary::descriptor::ModelDescriptor*> models;
+    for (const auto& model : loaded) models.push_back(model.get());
     std::map<std::string, std::size_t> seen;
     std::map<std::string, Outcome> outcomes;
     Outcome all;
     for (std::size_t i = 0; i < snapshot->size(); ++i) {
-        const std::string& name = snapshot->models()[i].name;
+        const std::string name = unwrap(searcher.store().model(snapshot->id(i))).name;
         if (labels[i].empty() || seen[labels[i]]++ % kEvery != 0) continue;
         const ossuary::mesh::TriangleMesh mesh =
             unwrap(ossuary::mesh::read_mesh(collection / "off" / (name + ".off"))).mesh;
@@ -154,10 +162,9 @@ void run(const fs::path& collection, const fs::path& index_path) {
         for (const ossuary::mesh::TriangleMesh& limb : limbs_of(mesh, segmentations.front())) {
             const ossuary::descriptor::ModelDescriptor query =
                 unwrap(ossuary::descriptor::describe(limb)).descriptor;
-            const auto as_part =
-                *ossuary::ranking::part_distances(query, snapshot->descriptors(), {});
-            const auto as_whole = *ossuary::ranking::rank_distances(query, snapshot->descriptors(),
-                                                                    snapshot->statistics());
+            const auto as_part = *ossuary::ranking::part_distances(query, models, {});
+            const auto as_whole =
+                *ossuary::ranking::rank_distances(query, models, snapshot->statistics());
             for (Outcome* outcome : {&outcomes[labels[i]], &all}) {
                 ++outcome->queries;
                 outcome->as_part += found_in_first(as_part, labels, i);

@@ -75,8 +75,16 @@ struct Collection {
     std::vector<descriptor::ModelDescriptor> models;
     std::vector<descriptor::ModelDescriptor> queries;
     std::vector<const descriptor::ModelDescriptor*> pointers;
+    ranking::ScanRows rows;
     ranking::Preselection preselection;
-    ranking::CollectionStatistics statistics;
+    ranking::Normalization normalization;
+
+    [[nodiscard]] std::vector<ranking::RankedModel> nearest(
+        const descriptor::ModelDescriptor& query,
+        const ranking::NearestOptions& options = {}) const {
+        ranking::DescriptorsInMemory source(pointers);
+        return *ranking::nearest_models(query, source, preselection, normalization, {}, options);
+    }
 };
 
 /// Made once for each size; a hundred thousand models take a minute and two gigabytes.
@@ -93,8 +101,12 @@ const Collection& collection_of(std::size_t size) {
     }
     for (const descriptor::ModelDescriptor& model : collection.models)
         collection.pointers.push_back(&model);
-    collection.preselection = ranking::Preselection(collection.pointers);
-    collection.statistics = *ranking::collection_statistics(collection.pointers);
+    for (const descriptor::ModelDescriptor* model : collection.pointers) {
+        collection.rows.append(*model);
+    }
+    collection.preselection = ranking::Preselection({&collection.rows});
+    collection.normalization =
+        ranking::Normalization(*ranking::collection_statistics(collection.pointers));
     return collection;
 }
 
@@ -102,13 +114,10 @@ const Collection& collection_of(std::size_t size) {
 double recall(const Collection& collection) {
     std::size_t found = 0, wanted = 0;
     for (const descriptor::ModelDescriptor& query : collection.queries) {
-        const auto quick = *ranking::nearest_models(
-            query, collection.pointers, collection.preselection, collection.statistics, {});
+        const auto quick = collection.nearest(query);
         ranking::NearestOptions exhaustive;
         exhaustive.exhaustive_below = collection.models.size();
-        const auto exact =
-            *ranking::nearest_models(query, collection.pointers, collection.preselection,
-                                     collection.statistics, {}, exhaustive);
+        const auto exact = collection.nearest(query, exhaustive);
         for (const ranking::RankedModel& model : exact) {
             ++wanted;
             found += std::any_of(
@@ -123,9 +132,7 @@ void time_search(benchmark::State& state, std::size_t size) {
     const Collection& collection = collection_of(size);
     std::size_t query = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            *ranking::nearest_models(collection.queries[query++ % kQueries], collection.pointers,
-                                     collection.preselection, collection.statistics, {}));
+        benchmark::DoNotOptimize(collection.nearest(collection.queries[query++ % kQueries]));
     }
     state.counters["recall_at_10"] = recall(collection);
 }

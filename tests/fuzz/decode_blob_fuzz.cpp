@@ -10,6 +10,7 @@
 
 #include "index/blob.h"
 #include "index/codec.h"
+#include "index/scan_block.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -49,6 +50,8 @@ const std::array kCodecs{
     Codec{kStatisticsBlob,
           [](std::string_view b) { check(b, decode_statistics, encode_statistics); }},
     Codec{kEvaluationBlob, [](std::string_view b) { check(b, decode_report, encode_report); }},
+    Codec{kScanBlob,
+          [](std::string_view b) { check(b, decode_scan_block, encode_scan_block); }},
 };
 
 }  // namespace

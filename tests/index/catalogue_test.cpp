@@ -33,9 +33,9 @@ TEST(Kind, IsTheEndingOfWhatHoldsTheModel) {
     EXPECT_EQ(file_kind(""), "");
 }
 
-class Catalogue : public testing::Test {
+class CatalogueTest : public testing::Test {
 protected:
-    Catalogue() {
+    CatalogueTest() {
         add("chairs/old/leg10.off", "chair", 30);
         add("chairs/leg2.stl", "chair", 20);
         add("Leg1.off", "", 10);
@@ -55,8 +55,10 @@ protected:
     std::vector<std::string> names(const CatalogueFilter& filter,
                                    CatalogueOrder order = CatalogueOrder::kId) {
         std::vector<std::string> names;
-        for (const std::size_t at : list_models(*snapshot_, filter, order)) {
-            names.push_back(snapshot_->models()[at].name);
+        const auto listed = list_models(*snapshot_, *store_, filter, order);
+        EXPECT_TRUE(listed);
+        for (const std::size_t at : *listed) {
+            names.push_back(store_->model(snapshot_->id(at))->name);
         }
         return names;
     }
@@ -68,13 +70,13 @@ protected:
 
 using Names = std::vector<std::string>;
 
-TEST_F(Catalogue, ListsInEachOrder) {
+TEST_F(CatalogueTest, ListsInEachOrder) {
     EXPECT_EQ(names({}), (Names{"leg10", "leg2", "Leg1", "top"}));
     EXPECT_EQ(names({}, CatalogueOrder::kName), (Names{"Leg1", "leg2", "leg10", "top"}));
     EXPECT_EQ(names({}, CatalogueOrder::kFaces), (Names{"top", "leg10", "leg2", "Leg1"}));
 }
 
-TEST_F(Catalogue, ListsWhatPassesTheFilter) {
+TEST_F(CatalogueTest, ListsWhatPassesTheFilter) {
     EXPECT_EQ(names({.name_contains = "LEG1"}), (Names{"leg10", "Leg1"}));
     EXPECT_EQ(names({.class_name = "chair"}), (Names{"leg10", "leg2"}));
     EXPECT_EQ(names({.class_name = ""}), (Names{"Leg1"}));
@@ -85,28 +87,35 @@ TEST_F(Catalogue, ListsWhatPassesTheFilter) {
     EXPECT_EQ(names({.class_name = "chair", .name_contains = "2", .kind = "stl"}), (Names{"leg2"}));
 }
 
-TEST_F(Catalogue, CountsEachFacetAsIfItWereNotChosen) {
-    const Facets all = count_facets(*snapshot_, {});
+TEST_F(CatalogueTest, CountsEachFacetAsIfItWereNotChosen) {
+    const Facets all = *count_facets(*snapshot_, *store_, {});
     EXPECT_EQ(all.classes, (std::vector<FacetValue>{{"", 1}, {"chair", 2}, {"table", 1}}));
     EXPECT_EQ(all.folders,
               (std::vector<FacetValue>{{"chairs", 2}, {"chairs/old", 1}, {"tables", 1}}));
     EXPECT_EQ(all.kinds, (std::vector<FacetValue>{{"off", 2}, {"stl", 2}}));
-    const Facets chairs = count_facets(*snapshot_, {.class_name = "chair"});
+    const Facets chairs = *count_facets(*snapshot_, *store_, {.class_name = "chair"});
     EXPECT_EQ(chairs.classes, all.classes);
     EXPECT_EQ(chairs.kinds, (std::vector<FacetValue>{{"off", 1}, {"stl", 1}}));
     EXPECT_EQ(chairs.folders, (std::vector<FacetValue>{{"chairs", 2}, {"chairs/old", 1}}));
-    const Facets both = count_facets(*snapshot_, {.class_name = "chair", .kind = "off"});
+    const Facets both = *count_facets(*snapshot_, *store_, {.class_name = "chair", .kind = "off"});
     EXPECT_EQ(both.classes, (std::vector<FacetValue>{{"", 1}, {"chair", 1}}));
     EXPECT_EQ(both.kinds, chairs.kinds);
 }
 
-TEST_F(Catalogue, KnowsCopiesByTheirMeasures) {
-    add("chairs/copy.off", "chair", 20);
-    const auto snapshot = *Snapshot::load(*store_);
-    EXPECT_EQ(snapshot->copies(4), snapshot->copies(1));
-    EXPECT_EQ(snapshot->copy_count(snapshot->copies(1)), 2u);
-    EXPECT_EQ(snapshot->copy_count(snapshot->copies(0)), 1u);
-    EXPECT_EQ(snapshot->redundant(), 1u);
+TEST_F(CatalogueTest, ReadsNoBlockAgainThatHasNotChanged) {
+    const auto before = *snapshot_->catalogue(*store_);
+    EXPECT_EQ(*snapshot_->catalogue(*store_), before) << "the same one";
+    auto writer = Store::open(file(), Access::kReadWrite);
+    ASSERT_TRUE(writer->put_statistics({{1.0}}, *writer->revision()));
+    const auto judged = *Snapshot::load(*store_, snapshot_.get());
+    EXPECT_EQ(&(**judged->catalogue(*store_))[0], &(*before)[0]) << "only statistics are new";
+    const std::vector<Change> move = {MoveModel{2, "/srv/models/x.obj", "x", "other"}};
+    ASSERT_TRUE(writer->apply(move));
+    const auto after = *Snapshot::load(*store_, judged.get());
+    const auto moved = *after->catalogue(*store_);
+    EXPECT_EQ((*moved)[1].name, "x");
+    EXPECT_EQ((*moved)[1].class_name, "other");
+    EXPECT_EQ((*before)[1].name, "leg2");
 }
 
 }  // namespace

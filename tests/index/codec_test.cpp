@@ -12,6 +12,7 @@
 #include "index/content_hash.h"
 #include "index/packed_bytes.h"
 #include "index/round_skeleton.h"
+#include "index/scan_block.h"
 #include "tests/index/sample_index.h"
 
 namespace ossuary::index {
@@ -36,6 +37,16 @@ auto recoder(const Decode& decode, const Encode& encode) {
     };
 }
 
+ScanBlock sample_block() {
+    ScanBlock block;
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const NewModel model = test::sample_model(seed, "/m/x.off");
+        block.append(static_cast<ModelId>(seed), 7, 100 + seed, model.summary.class_name);
+        block.rows.append(model.descriptor);
+    }
+    return block;
+}
+
 std::vector<Case> cases() {
     const NewModel model = test::sample_model(4, "/models/x.off");
     return {
@@ -57,6 +68,8 @@ std::vector<Case> cases() {
          recoder(decode_statistics, encode_statistics)},
         {"report", kEvaluationBlob, encode_report(test::sample_report(1)),
          recoder(decode_report, encode_report)},
+        {"scan", kScanBlob, encode_scan_block(sample_block()),
+         recoder(decode_scan_block, encode_scan_block)},
     };
 }
 

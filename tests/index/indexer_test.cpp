@@ -397,7 +397,7 @@ TEST_F(IndexerTest, AddsToAnIndexThatAReaderHasOpen) {
     const auto after = *Snapshot::load(*reader, before.get());
     EXPECT_EQ(before->size(), 2U);
     EXPECT_EQ(after->size(), 4U);
-    EXPECT_EQ(after->descriptors()[0], before->descriptors()[0]);
+    EXPECT_EQ(after->changed_at(0), before->changed_at(0));
     EXPECT_EQ(after->state().statistics, after->revision());
 }
 

@@ -5,11 +5,7 @@
 namespace ossuary::index {
 namespace {
 
-ModelRoots roots_of(const std::vector<std::string>& paths) {
-    std::vector<ModelSummary> models;
-    for (const std::string& path : paths) models.emplace_back().path = path;
-    return ModelRoots(models);
-}
+ModelRoots roots_of(const std::vector<std::string>& paths) { return ModelRoots(paths); }
 
 TEST(ModelRoots, AreTheFolderAboveAllModels) {
     const ModelRoots roots = roots_of({"/home/eva/models/chairs/a.off", "/home/eva/models/b.off",

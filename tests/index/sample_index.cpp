@@ -12,7 +12,9 @@
 #include "index/codec.h"
 #include "index/content_hash.h"
 #include "index/migrations.h"
+#include "index/scan_block.h"
 #include "index/store_checksum.h"
+#include "index/store_scan.h"
 #include "tests/support/shapes.h"
 
 namespace ossuary::test {
@@ -165,13 +167,25 @@ void write_sample_meshes(const fs::path& folder, int count) {
     }
 }
 
+namespace {
+
+/// A block as if all of its models had changed at once.
+std::string without_revisions_in(std::string_view blob) {
+    auto block = index::decode_scan_block(blob);
+    if (!block) return block.error().message;
+    std::fill(block->changed_at.begin(), block->changed_at.end(), 0);
+    return index::encode_scan_block(*block);
+}
+
+}  // namespace
+
 std::string index_text(const fs::path& path) {
     SQLite::Database database(path.string(), SQLite::OPEN_READONLY);
     std::string text;
     for (const std::string table :
          {"parameters", "state", "models", "signatures", "descriptors", "skeletons", "branches",
           "previews", "segments", "thumbnails", "orientations", "file_frames", "failures",
-          "statistics", "evaluations", "uploads", "upload_pieces"}) {
+          "statistics", "evaluations", "uploads", "upload_pieces", "scan_blocks"}) {
         text += "== " + table + "\n";
         SQLite::Statement rows(database, "SELECT * FROM " + table + " ORDER BY 1, 2");
         while (rows.executeStep()) {
@@ -181,8 +195,10 @@ std::string index_text(const fs::path& path) {
                 const SQLite::Column value = rows.getColumn(column);
                 text += name + "=";
                 if (value.isBlob()) {
-                    text += index::content_hash({static_cast<const char*>(value.getBlob()),
-                                                 static_cast<std::size_t>(value.getBytes())});
+                    const std::string_view blob(static_cast<const char*>(value.getBlob()),
+                                                static_cast<std::size_t>(value.getBytes()));
+                    text += index::content_hash(table == "scan_blocks" ? without_revisions_in(blob)
+                                                                       : std::string(blob));
                 } else {
                     text += value.getString();
                 }
@@ -304,6 +320,10 @@ void make_old_index(const fs::path& path, int version, const index::NewModel& mo
     if (version >= index::kFirstVersionWithUploads) {
         index::add_checksum_function(database);
         index::seal_unsealed_rows(database, version);
+    }
+    if (version >= index::kFirstVersionWithScan) {
+        index::Connection connection(path, SQLite::OPEN_READWRITE);
+        index::fill_scan_blocks(connection);
     }
 }
 

@@ -262,7 +262,7 @@ TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
 TEST_F(SearcherTest, EvaluatesTheClassesOfTheIndex) {
     Searcher searcher = open();
     const auto snapshot = *searcher.snapshot();
-    const auto evaluation = evaluate(*snapshot);
+    const auto evaluation = evaluate(*snapshot, searcher.stores());
     ASSERT_TRUE(evaluation) << evaluation.error().message;
     EXPECT_EQ(evaluation->report.models, 9U);
     EXPECT_EQ(evaluation->report.classes, 3U);
@@ -287,12 +287,13 @@ TEST_F(SearcherTest, EvaluatesJustTheModelsOfAClassificationInItsOrder) {
         moves.push_back(MoveModel{id, "/m/" + name + ".off", name, std::nullopt});
     }
     ASSERT_TRUE(store->apply(moves));
+    StorePool stores(*store);
     const auto snapshot = *Snapshot::load(*store);
     EvaluateOptions options;
     options.rank.ranker = ranking::RankerKind::kSkeleton;
     options.classification = *ranking::parse_classification(
         "PSB 1\n2 6\nring 0 3\n6\n3\n99\nbox 0 3\n7\n1\n4\n", "x.cla");
-    const auto evaluation = evaluate(*snapshot, options);
+    const auto evaluation = evaluate(*snapshot, stores, options);
     ASSERT_TRUE(evaluation) << evaluation.error().message;
     EXPECT_EQ(evaluation->order, (std::vector<ModelId>{6, 3, 7, 1, 4}));
     EXPECT_EQ(evaluation->labels, (std::vector<std::string>{"ring", "ring", "box", "box", "box"}));
@@ -301,10 +302,10 @@ TEST_F(SearcherTest, EvaluatesJustTheModelsOfAClassificationInItsOrder) {
 
     options.classification =
         *ranking::parse_classification("PSB 1\n1 2\nx 0 2\n500\n501\n", "x.cla");
-    EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kClaUnknownModel);
+    EXPECT_EQ(evaluate(*snapshot, stores, options).error().code, ErrorCode::kClaUnknownModel);
     options.classification =
         *ranking::parse_classification("PSB 1\n2 2\nx 0 1\n1\ny 0 1\n2\n", "x.cla");
-    EXPECT_EQ(evaluate(*snapshot, options).error().code, ErrorCode::kInvalidArgument);
+    EXPECT_EQ(evaluate(*snapshot, stores, options).error().code, ErrorCode::kInvalidArgument);
 }
 
 TEST_F(SearcherTest, ExplainsAPairAlikeInASearchAndInAComparison) {
@@ -352,8 +353,8 @@ TEST_F(SearcherTest, FindsAModelFirstAsAPartOfItself) {
 TEST_F(SearcherTest, ShowsModelsBesideTheNearestOfTheirClassByBuildAndByPose) {
     Searcher searcher = open();
     const auto snapshot = *searcher.snapshot();
-    const auto evaluation = *evaluate(*snapshot);
-    const auto examples = pose_examples(*snapshot, evaluation, 2);
+    const auto evaluation = *evaluate(*snapshot, searcher.stores());
+    const auto examples = *pose_examples(*snapshot, searcher.stores(), evaluation, 2);
     ASSERT_EQ(examples.size(), 6U);
     for (const PoseExample& example : examples) {
         for (const ModelId other : {example.by_build, example.by_pose}) {
@@ -386,6 +387,7 @@ TEST_F(SearcherTest, MeasuresBuildAndPoseAtSeveralWeights) {
         moves.push_back(MoveModel{id, "/m/" + name + ".off", name, std::nullopt});
     }
     ASSERT_TRUE(store->apply(moves));
+    StorePool stores(*store);
     const auto snapshot = *Snapshot::load(*store);
     BuildAndPoseOptions options;
     options.rank.pose = 0.4;
@@ -393,7 +395,7 @@ TEST_F(SearcherTest, MeasuresBuildAndPoseAtSeveralWeights) {
         "PSB 1\n3 9\nx 0 3\n1\n4\n7\ny 0 3\n2\n5\n8\nz 0 3\n3\n6\n99\n", "b.cla");
     options.pose =
         *ranking::parse_classification("PSB 1\n2 4\nup 0 2\n1\n2\ndown 0 2\n4\n5\n", "p.cla");
-    const auto measured = evaluate_build_and_pose(*snapshot, options);
+    const auto measured = evaluate_build_and_pose(*snapshot, stores, options);
     ASSERT_TRUE(measured) << measured.error().message;
     EXPECT_EQ(measured->models, 8U);
     EXPECT_EQ(measured->builds, 3U);
@@ -417,9 +419,9 @@ TEST_F(SearcherTest, MeasuresBuildAndPoseAtSeveralWeights) {
     EXPECT_NE(build_and_pose_svg({&*measured, 1}).find("<polyline"), std::string::npos);
 
     options.rank.ranker = ranking::RankerKind::kChainCode;
-    EXPECT_EQ(evaluate_build_and_pose(*snapshot, options)->curve.size(), 1U);
+    EXPECT_EQ(evaluate_build_and_pose(*snapshot, stores, options)->curve.size(), 1U);
     options.pose = *ranking::parse_classification("PSB 1\n1 1\nx 0 1\n500\n", "p.cla");
-    EXPECT_EQ(evaluate_build_and_pose(*snapshot, options).error().code,
+    EXPECT_EQ(evaluate_build_and_pose(*snapshot, stores, options).error().code,
               ErrorCode::kClaUnknownModel);
 }
 
@@ -427,11 +429,12 @@ TEST_F(SearcherTest, KeepsEvaluationsUntilTheIndexChanges) {
     const fs::path copy = folder_->path() / "cached.index";
     fs::copy_file(index(), copy, fs::copy_options::overwrite_existing);
     auto store = Store::open(copy, Access::kReadWrite);
+    StorePool stores(*store);
     const auto snapshot = *Snapshot::load(*store);
-    const auto first = evaluate_cached(*store, *snapshot);
+    const auto first = evaluate_cached(*store, *snapshot, stores);
     ASSERT_TRUE(first);
     EXPECT_EQ(first->distances.size, 9U);
-    const auto second = evaluate_cached(*store, *snapshot);
+    const auto second = evaluate_cached(*store, *snapshot, stores);
     ASSERT_TRUE(second);
     EXPECT_EQ(second->distances.size, 0U) << "from the cache";
     // The store says when it kept an evaluation, to the second.
@@ -440,14 +443,14 @@ TEST_F(SearcherTest, KeepsEvaluationsUntilTheIndexChanges) {
     EXPECT_EQ(to_json(*first), kept);
     EvaluateOptions reranked;
     reranked.rank.rerank = true;
-    EXPECT_EQ(evaluate_cached(*store, *snapshot, reranked)->distances.size, 9U);
+    EXPECT_EQ(evaluate_cached(*store, *snapshot, stores, reranked)->distances.size, 9U);
     ASSERT_TRUE(store->remove(9));
     const auto later = *Snapshot::load(*store);
-    EXPECT_EQ(evaluate_cached(*store, *later)->distances.size, 8U);
+    EXPECT_EQ(evaluate_cached(*store, *later, stores)->distances.size, 8U);
 
     auto reader = Store::open(copy, Access::kReadOnly);
     reranked.rank.pose = 0.5;
-    EXPECT_TRUE(evaluate_cached(*reader, *later, reranked)) << "though it cannot be kept";
+    EXPECT_TRUE(evaluate_cached(*reader, *later, stores, reranked)) << "though it cannot be kept";
 }
 
 }  // namespace

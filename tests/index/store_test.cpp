@@ -72,7 +72,8 @@ TEST_F(StoreTest, GivesBackWhatWasPut) {
     EXPECT_EQ(encode_descriptor(descriptor.skeleton), encode_descriptor(model.descriptor.skeleton));
     EXPECT_EQ(descriptor.skeleton.rooted.content_key, model.descriptor.skeleton.rooted.content_key);
     EXPECT_EQ(encode_globals(descriptor.globals), encode_globals(model.descriptor.globals));
-    EXPECT_EQ(store.signatures()->front().signature, model.descriptor.signature);
+    EXPECT_EQ(descriptor.signature, model.descriptor.signature);
+    EXPECT_EQ(descriptors->front().changed_at, 1);
     EXPECT_EQ(store.models_named("elephant")->size(), 1U);
     EXPECT_TRUE(store.models_named("Elephant")->empty());
 }
@@ -344,27 +345,83 @@ TEST_F(StoreTest, SaysSoWhenAnotherHoldsTheWriteLockForTooLong) {
     EXPECT_EQ(store.models()->total, 1U) << "reading goes on";
 }
 
+const ScanBlock* block_at(const Snapshot& snapshot, std::size_t position) {
+    const ScanBlock* found = nullptr;
+    snapshot.for_each_block([&](const ScanBlock& block, std::size_t first) {
+        if (position >= first && position < first + block.size()) found = &block;
+    });
+    return found;
+}
+
 TEST_F(StoreTest, SnapshotsShareWhatHasNotChanged) {
     Store store = make();
-    ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
-    ASSERT_TRUE(store.put(test::sample_model(2, "/m/b.off")));
+    std::vector<Change> changes;
+    for (std::uint64_t seed = 0; seed < 2 * kScanBlockModels; ++seed) {
+        changes.push_back(
+            PutModel{test::sample_model(seed, "/m/" + std::to_string(seed) + ".off")});
+    }
+    ASSERT_TRUE(store.apply(changes));
     const auto first = *Snapshot::load(store);
-    ASSERT_TRUE(store.put(test::sample_model(3, "/m/b.off")));
-    ASSERT_TRUE(store.put(test::sample_model(4, "/m/c.off")));
-    ASSERT_TRUE(store.remove(1));
+    ASSERT_TRUE(store.put(test::sample_model(1001, "/m/200.off")));
+    ASSERT_TRUE(store.put(test::sample_model(1002, "/m/new.off")));
+    ASSERT_TRUE(store.remove(201));
     const auto second = *Snapshot::load(store, first.get());
     const auto fresh = *Snapshot::load(store);
-    ASSERT_EQ(second->size(), 2U);
-    EXPECT_EQ(second->find(1), std::nullopt);
-    EXPECT_EQ(second->find(2), 0U);
-    EXPECT_EQ(second->find(3), 1U);
-    EXPECT_EQ(second->models()[0].content_hash, fresh->models()[0].content_hash);
-    EXPECT_EQ(first->size(), 2U) << "the earlier one stays as it was";
+    ASSERT_EQ(second->size(), 2 * kScanBlockModels);
+    ASSERT_EQ(fresh->size(), second->size());
+    EXPECT_EQ(block_at(*second, 0), block_at(*first, 0)) << "shared, not copied";
+    EXPECT_NE(block_at(*second, 200), block_at(*first, 200));
+    EXPECT_EQ(second->find(201), std::nullopt);
+    EXPECT_EQ(second->find(202), 200U);
+    for (std::size_t i = 0; i < fresh->size(); ++i) {
+        EXPECT_EQ(second->id(i), fresh->id(i));
+        EXPECT_EQ(second->changed_at(i), fresh->changed_at(i));
+        EXPECT_EQ(second->class_name(i), fresh->class_name(i));
+        EXPECT_EQ(second->measures(i), fresh->measures(i));
+        const auto row = second->preselection().row(static_cast<std::uint32_t>(i));
+        const auto same = fresh->preselection().row(static_cast<std::uint32_t>(i));
+        EXPECT_EQ(row.key, same.key);
+        EXPECT_TRUE(std::equal(row.signature.begin(), row.signature.end(),
+                               same.signature.begin()));
+    }
+    EXPECT_EQ(first->size(), 2 * kScanBlockModels) << "the earlier one stays as it was";
+    EXPECT_EQ(first->find(201), 200U);
+}
 
-    ASSERT_TRUE(store.put(test::sample_model(5, "/m/d.off")));
-    const auto third = *Snapshot::load(store, second.get());
-    EXPECT_EQ(third->descriptors()[0], second->descriptors()[0]) << "shared, not copied";
-    EXPECT_EQ(third->descriptors()[1], second->descriptors()[1]);
+TEST_F(StoreTest, ASnapshotKnowsClassesAndCopies) {
+    Store store = make();
+    NewModel model = test::sample_model(1, "/m/a.off");
+    ASSERT_TRUE(store.put(model));
+    ASSERT_TRUE(store.put(test::sample_model(2, "/m/b.off")));
+    model.summary.path = "/m/copy.stl";
+    model.summary.content_hash = content_hash("the same mesh in another file");
+    ASSERT_TRUE(store.put(model));
+    const auto snapshot = *Snapshot::load(store);
+    EXPECT_EQ(snapshot->of_class("class1"), (std::vector<std::uint32_t>{0, 2}));
+    EXPECT_TRUE(snapshot->of_class("none").empty());
+    EXPECT_EQ(snapshot->count_measures({snapshot->measures(0), snapshot->measures(1)}),
+              (std::vector<std::size_t>{2, 1}));
+    const std::vector<Change> changes = {ClassifyModel{1, "other"}};
+    ASSERT_TRUE(store.apply(changes));
+    const auto later = *Snapshot::load(store, snapshot.get());
+    EXPECT_EQ(later->of_class("other"), (std::vector<std::uint32_t>{0}));
+    EXPECT_EQ(later->measures(0), snapshot->measures(0));
+    EXPECT_EQ(later->preselection().row(0).key, snapshot->preselection().row(0).key);
+    ASSERT_TRUE(store.put_statistics({{1.0}}, *store.revision()));
+    test::expect_sound(store);
+}
+
+TEST_F(StoreTest, ASnapshotFindsTheFoldersOfItsModels) {
+    Store store = make();
+    std::uint64_t seed = 0;
+    for (const char* path : {"/srv/a/x/1.off", "/srv/a/y/2.off", "/home/eva/3.off", "/4.off",
+                             "/home/eva/models.zip#in/5.off", ""}) {
+        ASSERT_TRUE(store.put(test::sample_model(++seed, path)));
+    }
+    const ModelRoots& roots = (*Snapshot::load(store))->roots();
+    EXPECT_EQ(roots.relative("/srv/a/y/2.off"), "a/y/2.off");
+    EXPECT_EQ(roots.relative("/home/eva/3.off"), "eva/3.off");
+    EXPECT_EQ(roots.relative("/4.off"), "4.off");
 }
 
 TEST_F(StoreTest, IsOneFileOnceItIsClosed) {

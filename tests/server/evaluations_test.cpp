@@ -34,7 +34,7 @@ protected:
         return [this, prelude](const index::Snapshot& models,
                                const index::EvaluateOptions& options) -> Result<index::Evaluation> {
             prelude(++computed_, options.rank.stop);
-            return index::evaluate(models, options);
+            return index::evaluate(models, searcher_.stores(), options);
         };
     }
     /// Until the stop is requested.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <thread>
 
+#include "engine/ranking/explain.h"
 #include "engine/ranking/part_search.h"
 #include "engine/ranking/preselection.h"
 #include "engine/ranking/ranker.h"
@@ -116,7 +117,7 @@ TEST_F(Stop, EndsWithinOnePairOfModels) {
         expect_to_stop(
             [&](const std::stop_token& stop) {
                 options.stop = stop;
-                return code_of(explain(query(), *collection()[1], {}, options));
+                return code_of(explain(query(), *collection()[1], Normalization(), options));
             },
             name(options));
     }
@@ -124,7 +125,10 @@ TEST_F(Stop, EndsWithinOnePairOfModels) {
 
 TEST_F(Stop, EndsARankingAndANearestSearch) {
     const std::vector<const ModelDescriptor*> all = collection(2000);
-    const Preselection preselection(all);
+    DescriptorsInMemory source(all);
+    ScanRows rows;
+    for (const ModelDescriptor* model : all) rows.append(*model);
+    const Preselection preselection({&rows});
     for (RankOptions options : every_option()) {
         expect_to_stop(
             [&](const std::stop_token& stop) {
@@ -136,7 +140,7 @@ TEST_F(Stop, EndsARankingAndANearestSearch) {
             [&](const std::stop_token& stop) {
                 options.stop = stop;
                 const NearestOptions narrow{.count = 1000, .exhaustive_below = 0, .by_globals = 10};
-                return code_of(nearest_models(query(), all, preselection, {}, options, narrow));
+                return code_of(nearest_models(query(), source, preselection, Normalization(), options, narrow));
             },
             name(options) + " nearest");
     }
