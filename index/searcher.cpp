@@ -5,6 +5,7 @@
 
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
+#include "index/catalogue.h"
 
 namespace ossuary::index {
 
@@ -30,18 +31,20 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
                                                  const descriptor::ModelDescriptor& query,
                                                  const SearchOptions& options, ModelId left_out) {
     // One more, because the model that is left out is among the nearest. Distances do not depend on
-    // the class that is looked for: they are judged by the whole collection.
+    // what is looked for among: they are judged by the whole collection.
     ranking::NearestOptions nearest;
     nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
     // Each copy may take a place that another model is to have; in large collections that are
     // mostly copies the list may then end early.
     if (options.fold_copies) nearest.spare = snapshot.redundant();
-    std::vector<std::uint32_t> of_class;
-    if (!options.class_filter.empty()) {
-        for (std::uint32_t i = 0; i < snapshot.size(); ++i) {
-            if (snapshot.models()[i].class_name == options.class_filter) of_class.push_back(i);
+    std::vector<std::uint32_t> among;
+    if (!options.class_filter.empty() || options.folder || options.kind) {
+        CatalogueFilter filter{.folder = options.folder, .kind = options.kind};
+        if (!options.class_filter.empty()) filter.class_name = options.class_filter;
+        for (const std::size_t position : list_models(snapshot, filter, CatalogueOrder::kId)) {
+            among.push_back(static_cast<std::uint32_t>(position));
         }
-        nearest.among = of_class;
+        nearest.among = among;
     }
     const auto models =
         ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
