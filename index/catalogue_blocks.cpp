@@ -115,8 +115,8 @@ Result<std::shared_ptr<const Catalogue>> CatalogueBlocks::load(Store& store) con
             const auto from = [](const ListedModel& model, ModelId id) { return model.id < id; };
             const auto first = std::lower_bound(listed->begin(), listed->end(),
                                                 block.number * kScanBlockModels, from);
-            const auto last = std::lower_bound(
-                first, listed->end(), (block.number + 1) * kScanBlockModels, from);
+            const auto last =
+                std::lower_bound(first, listed->end(), (block.number + 1) * kScanBlockModels, from);
             block.entries = std::make_shared<const CatalogueBlock>(
                 as_scanned(*block.models, std::span(first, last)));
         }

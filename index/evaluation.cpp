@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <cstdint>
 #include <map>
+#include <random>
 
 #include "engine/core/whole_file.h"
 #include "index/content_hash.h"
@@ -56,8 +58,9 @@ Result<Selection> select(const Snapshot& snapshot, StorePool& stores,
 }
 
 /// Tells evaluated collections of one revision apart.
-std::string collection_hash(const Snapshot& snapshot, const Selection& selection) {
-    std::string text;
+std::string collection_hash(const Snapshot& snapshot, const Selection& selection,
+                            std::size_t sample) {
+    std::string text = sample == 0 ? "" : "sample " + std::to_string(sample) + '\n';
     for (std::size_t i = 0; i < selection.positions.size(); ++i) {
         text += std::to_string(snapshot.id(selection.positions[i]));
         text += ' ';
@@ -78,6 +81,7 @@ Evaluation frame(const Snapshot& snapshot, const Selection& selection,
     }
     evaluation.labels = selection.labels;
     evaluation.missing = selection.missing;
+    evaluation.queries = ranking::retrieval_queries(selection.labels).size();
     evaluation.revision = snapshot.revision();
     return evaluation;
 }
@@ -96,19 +100,62 @@ Result<ranking::CollectionStatistics> statistics_for(const Snapshot& snapshot,
     return ranking::collection_statistics(descriptors, rank.jobs, rank.stop);
 }
 
+/// How many queries are drawn; 0 where all are searched with.
+std::size_t sample_of(const Selection& selection, const EvaluateOptions& options) {
+    const std::size_t queries = ranking::retrieval_queries(selection.labels).size();
+    return options.sample < queries ? options.sample : 0;
+}
+
+/// So many of the queries, each subset as likely as any other (Knuth, "The Art of Computer
+/// Programming" 2, sec. 3.4.2, algorithm S), the same on every machine.
+std::vector<std::size_t> drawn_queries(const std::vector<std::string>& labels, std::size_t count) {
+    constexpr std::uint64_t kSeed = 0x05507A27;
+    const std::vector<std::size_t> queries = ranking::retrieval_queries(labels);
+    std::mt19937_64 random(kSeed);
+    std::vector<std::size_t> drawn;
+    for (std::size_t i = 0; i < queries.size() && drawn.size() < count; ++i) {
+        const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
+        const auto left = static_cast<double>(queries.size() - i);
+        if (unit * left < static_cast<double>(count - drawn.size())) drawn.push_back(queries[i]);
+    }
+    return drawn;
+}
+
+Result<ranking::RetrievalReport> sampled_report(ranking::DescriptorSpan descriptors,
+                                                const std::vector<std::string>& labels,
+                                                const ranking::CollectionStatistics& statistics,
+                                                const ranking::RankOptions& rank,
+                                                std::size_t sample) {
+    std::vector<ranking::QueryDistances> rows;
+    for (const std::size_t query : drawn_queries(labels, sample)) {
+        const auto distances =
+            ranking::rank_distances(*descriptors[query], descriptors, statistics, rank);
+        if (!distances) return distances.error();
+        rows.push_back({query, {distances->begin(), distances->end()}});
+    }
+    return ranking::evaluate_queries(rows, labels);
+}
+
 Result<Evaluation> compute(const Snapshot& snapshot, StorePool& stores, const Selection& selection,
-                           const ranking::RankOptions& rank) {
+                           const EvaluateOptions& options) {
+    const ranking::RankOptions& rank = options.rank;
     const auto loaded = load_descriptors(snapshot, stores, selection.positions, rank.jobs);
     if (!loaded) return loaded.error();
     std::vector<const descriptor::ModelDescriptor*> descriptors;
     for (const ranking::SharedDescriptor& model : *loaded) descriptors.push_back(model.get());
     const auto statistics = statistics_for(snapshot, selection, descriptors, rank);
     if (!statistics) return statistics.error();
-    auto distances = ranking::distance_matrix(descriptors, *statistics, rank);
-    if (!distances) return distances.error();
     Evaluation evaluation = frame(snapshot, selection, rank);
-    evaluation.distances = *std::move(distances);
-    evaluation.report = evaluate_retrieval(evaluation.distances, evaluation.labels);
+    if (const std::size_t sample = sample_of(selection, options); sample > 0) {
+        auto report = sampled_report(descriptors, selection.labels, *statistics, rank, sample);
+        if (!report) return report.error();
+        evaluation.report = *std::move(report);
+    } else {
+        auto distances = ranking::distance_matrix(descriptors, *statistics, rank);
+        if (!distances) return distances.error();
+        evaluation.distances = *std::move(distances);
+        evaluation.report = evaluate_retrieval(evaluation.distances, evaluation.labels);
+    }
     evaluation.computed_at = utc_now();
     return evaluation;
 }
@@ -170,7 +217,7 @@ Result<Evaluation> evaluate(const Snapshot& snapshot, StorePool& stores,
                             const EvaluateOptions& options) {
     const auto selection = select(snapshot, stores, options);
     if (!selection) return selection.error();
-    return compute(snapshot, stores, *selection, options.rank);
+    return compute(snapshot, stores, *selection, options);
 }
 
 Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot, StorePool& stores,
@@ -181,7 +228,7 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot, Store
                             options.rank.ranker,
                             options.rank.rerank,
                             options.rank.pose,
-                            collection_hash(snapshot, *selection),
+                            collection_hash(snapshot, *selection, sample_of(*selection, options)),
                             snapshot.state().replacements};
     auto cached = store.evaluation(key);
     if (!cached) return cached.error();
@@ -191,7 +238,7 @@ Result<Evaluation> evaluate_cached(Store& store, const Snapshot& snapshot, Store
         evaluation.computed_at = std::move((*cached)->computed_at);
         return evaluation;
     }
-    auto evaluation = compute(snapshot, stores, *selection, options.rank);
+    auto evaluation = compute(snapshot, stores, *selection, options);
     if (!evaluation) return evaluation;
     // A reader cannot keep it, and whoever writes for long should not fail a reader.
     const auto kept = store.put_evaluation(key, evaluation->report);

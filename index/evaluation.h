@@ -23,6 +23,9 @@ struct EvaluateOptions {
     /// the index that have a class, in the order of their ids.
     std::optional<ranking::Classification> classification;
     ranking::RankOptions rank;
+    /// Of more queries than this, so many are drawn, the same for the same collection, and searched
+    /// with in all of it; 0 = all of them.
+    std::size_t sample = 0;
 };
 
 struct Evaluation {
@@ -30,11 +33,13 @@ struct Evaluation {
     bool rerank = false;
     double pose = 0.0;
     ranking::RetrievalReport report;
-    ranking::DistanceMatrix distances;  ///< empty when the report came from the cache
-    std::vector<ModelId> order;         ///< of rows and columns
-    std::vector<std::string> labels;    ///< class of each row
+    ranking::DistanceMatrix
+        distances;                    ///< empty when the report came from the cache or of a sample
+    std::vector<ModelId> order;       ///< of rows and columns
+    std::vector<std::string> labels;  ///< class of each row
     /// What the classification names and the index does not have.
     std::vector<std::string> missing;
+    std::size_t queries = 0;  ///< of which `report.models` were searched with
     Revision revision = 0;
     std::string computed_at;  ///< ISO 8601, UTC
 };

@@ -1,7 +1,9 @@
 #include "index/presentation.h"
 
 #include <cassert>
+#include <utility>
 
+#include "engine/ranking/bootstrap.h"
 #include "index/unit.h"
 
 namespace ossuary::index {
@@ -23,13 +25,27 @@ json pairs(const std::vector<matching::Correspondence::Pair>& list) {
     return out;
 }
 
+constexpr std::pair<const char*, double ranking::RetrievalMetrics::*> kMetricNames[] = {
+    {"nearest_neighbor", &ranking::RetrievalMetrics::nearest_neighbor},
+    {"first_tier", &ranking::RetrievalMetrics::first_tier},
+    {"second_tier", &ranking::RetrievalMetrics::second_tier},
+    {"e_measure", &ranking::RetrievalMetrics::e_measure},
+    {"dcg", &ranking::RetrievalMetrics::dcg},
+    {"mean_average_precision", &ranking::RetrievalMetrics::mean_average_precision},
+};
+
 void add_metrics(json& out, const ranking::RetrievalMetrics& metrics) {
-    out["nearest_neighbor"] = metrics.nearest_neighbor;
-    out["first_tier"] = metrics.first_tier;
-    out["second_tier"] = metrics.second_tier;
-    out["e_measure"] = metrics.e_measure;
-    out["dcg"] = metrics.dcg;
-    out["mean_average_precision"] = metrics.mean_average_precision;
+    for (const auto& [name, measure] : kMetricNames) out[name] = metrics.*measure;
+}
+
+/// The 95 % bootstrap interval of each measure.
+json intervals(const ranking::RetrievalReport& report) {
+    json out = json::object();
+    for (const auto& [name, measure] : kMetricNames) {
+        const ranking::BootstrapMean interval = ranking::bootstrap_measure(report, measure);
+        out[name] = {{"low", interval.low}, {"high", interval.high}};
+    }
+    return out;
 }
 
 /// {unit, metres_per_unit}
@@ -254,6 +270,8 @@ json to_json(const Evaluation& evaluation) {
                 {"computed_at", evaluation.computed_at},
                 {"missing", evaluation.missing}};
     add_metrics(out, report.mean);
+    out["queries_total"] = evaluation.queries;
+    out["intervals"] = intervals(report);
     json macro = json::object();
     add_metrics(macro, report.macro_mean);
     out["macro_mean"] = std::move(macro);
@@ -280,6 +298,21 @@ json to_json(const Evaluation& evaluation) {
     }
     out["confusion"] = {{"classes", std::move(names)}, {"values", std::move(rows)}};
     return out;
+}
+
+json queries_json(const Evaluation& evaluation, const Snapshot& snapshot,
+                  const Catalogue& catalogue) {
+    json queries = json::array();
+    for (const ranking::QueryMetrics& each : evaluation.report.per_query) {
+        const ModelId id = evaluation.order[each.model];
+        const auto position = snapshot.find(id);
+        json one = {{"model", id},
+                    {"name", position ? std::string(catalogue[*position].name) : std::string()},
+                    {"class", evaluation.labels[each.model]}};
+        add_metrics(one, each.metrics);
+        queries.push_back(std::move(one));
+    }
+    return queries;
 }
 
 json to_json(const PassedOver& passed_over) {

@@ -38,6 +38,10 @@ namespace ossuary::index {
 [[nodiscard]] nlohmann::json to_json(const Comparison& comparison,
                                      const ranking::RankOptions& options);
 [[nodiscard]] nlohmann::json to_json(const Evaluation& evaluation);
+/// Each query of an evaluation with its model's name and class and its measures; the catalogue
+/// of the snapshot knows the names, empty for models that it has not.
+[[nodiscard]] nlohmann::json queries_json(const Evaluation& evaluation, const Snapshot& snapshot,
+                                          const Catalogue& catalogue);
 [[nodiscard]] nlohmann::json to_json(const PassedOver& passed_over);
 [[nodiscard]] nlohmann::json to_json(const IndexOutcome& outcome);
 [[nodiscard]] nlohmann::json to_json(const VerifyReport& report);

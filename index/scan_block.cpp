@@ -93,9 +93,8 @@ Result<ScanBlock> decode_scan_block(std::string_view blob) {
         block.ids.end()) {
         return corrupt_blob(kScanBlob, "ids that do not ascend");
     }
-    if (std::any_of(block.classes.begin(), block.classes.end(), [&](std::uint32_t number) {
-            return number >= block.class_names.size();
-        })) {
+    if (std::any_of(block.classes.begin(), block.classes.end(),
+                    [&](std::uint32_t number) { return number >= block.class_names.size(); })) {
         return corrupt_blob(kScanBlob, "a class that is not there");
     }
     if (std::any_of(block.rows.informations.begin(), block.rows.informations.end(),

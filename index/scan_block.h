@@ -14,8 +14,8 @@ namespace ossuary::index {
 /// Counts every committed change of an index's models, from 0; what readers follow.
 using Revision = std::int64_t;
 
-/// Models of a block: those with ids from kScanBlockModels * number on. A block is written anew when
-/// one of its models changes, and read whole: some 200 kB.
+/// Models of a block: those with ids from kScanBlockModels * number on. A block is written anew
+/// when one of its models changes, and read whole: some 200 kB.
 inline constexpr std::int64_t kScanBlockModels = 128;
 
 /// What searches look at of some models, in flat arrays of the same length, in the order of ids.

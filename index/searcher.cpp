@@ -9,6 +9,7 @@
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
 #include "engine/ranking/explain.h"
+#include "index/catalogue.h"
 #include "index/descriptor_cache.h"
 
 namespace ossuary::index {
@@ -46,20 +47,35 @@ ranking::NearestOptions nearest_options(const Snapshot& snapshot, const SearchOp
     return nearest;
 }
 
+/// The positions of the models that may be hits, ascending; none where all may.
+Result<std::optional<std::vector<std::uint32_t>>> looked_among(const Snapshot& snapshot,
+                                                               Store& store,
+                                                               const SearchOptions& options) {
+    using Positions = std::optional<std::vector<std::uint32_t>>;
+    if (!options.folder && !options.kind) {
+        if (options.class_filter.empty()) return Positions();
+        return Positions(snapshot.of_class(options.class_filter));
+    }
+    CatalogueFilter filter{.folder = options.folder, .kind = options.kind};
+    if (!options.class_filter.empty()) filter.class_name = options.class_filter;
+    const auto listed = list_models(snapshot, store, filter, CatalogueOrder::kId);
+    if (!listed) return listed.error();
+    return Positions(std::in_place, listed->begin(), listed->end());
+}
+
 /// The models that may be hits, nearest first.
-Result<std::vector<ranking::RankedModel>> ranked(const Question& question) {
+Result<std::vector<ranking::RankedModel>> ranked(const Question& question, Store& store) {
     const Snapshot& snapshot = question.snapshot;
     const SearchOptions& options = question.options;
-    // Distances do not depend on the class that is looked for: they are judged by the whole
-    // collection.
+    // Distances do not depend on what is looked for among: they are judged by the whole collection.
     ranking::NearestOptions nearest = nearest_options(snapshot, options);
     // Each copy may take a place that another model is to have; in large collections that are
     // mostly copies the list may then end early.
     if (options.fold_copies) nearest.spare = snapshot.size();
-    std::vector<std::uint32_t> of_class;
-    if (!options.class_filter.empty()) {
-        of_class = snapshot.of_class(options.class_filter);
-        nearest.among = of_class;
+    const auto among = looked_among(snapshot, store, options);
+    if (!among) return among.error();
+    if (*among) {
+        nearest.among = **among;
     }
     const auto models =
         ranking::nearest_models(question.query, question.descriptors, snapshot.preselection(),
@@ -121,7 +137,7 @@ Result<Found> find_hits(const Question& question, Store& store) {
     const Snapshot& snapshot = question.snapshot;
     Found result;
     Stopwatch watch;
-    const auto models = ranked(question);
+    const auto models = ranked(question, store);
     if (!models) return models.error();
     std::vector<std::uint32_t> positions;
     std::vector<std::uint64_t> measures;
@@ -367,9 +383,9 @@ Result<Comparison> Searcher::compare(ModelId a, ModelId b, const ranking::RankOp
     if (const auto checked = check_rank_options(options); !checked) return checked.error();
     auto found = consistent({a, b});
     if (!found) return found.error();
-    auto match = ranking::explain(*found->descriptors[0], *found->descriptors[1],
-                                  found->snapshot->normalization(),
-                                  stoppable(options, std::move(stop)));
+    auto match =
+        ranking::explain(*found->descriptors[0], *found->descriptors[1],
+                         found->snapshot->normalization(), stoppable(options, std::move(stop)));
     if (!match) return match.error();
     Comparison comparison;
     comparison.match = *std::move(match);

@@ -25,9 +25,10 @@ namespace ossuary::index {
 
 struct SearchOptions {
     ranking::RankOptions rank;
-    std::size_t limit = 10;    ///< hits returned; 0 = all
-    std::string class_filter;  ///< only hits of this class; empty = all
-    bool with_match = true;    ///< parts and correspondences of the returned hits
+    std::size_t limit = 10;                   ///< hits returned; 0 = all
+    std::string class_filter;                 ///< only hits of this class; empty = all
+    std::optional<std::string> folder, kind;  ///< as those of CatalogueFilter
+    bool with_match = true;                   ///< parts and correspondences of the returned hits
     bool fold_copies = false;  ///< of models that are copies of each other, the nearest alone
 };
 

@@ -47,8 +47,8 @@ void Snapshot::assemble(StoredScan scan, const Snapshot* previous) {
     if (scan.statistics) {
         judgement_ = std::make_shared<const Judgement>(std::move(scan.statistics->statistics));
     } else {
-        judgement_ = previous != nullptr ? previous->judgement_
-                                         : std::make_shared<const Judgement>();
+        judgement_ =
+            previous != nullptr ? previous->judgement_ : std::make_shared<const Judgement>();
     }
     roots_ = ModelRoots(scan.outer_paths);
     catalogue_ = CatalogueBlocks(blocks_, previous != nullptr ? &previous->catalogue_ : nullptr);

@@ -63,10 +63,10 @@ std::vector<ModelRow> read_rows(Connection& connection, std::int64_t block) {
     while (query.step()) {
         const Box3 bounds(Vec3(query.real(6), query.real(7), query.real(8)),
                           Vec3(query.real(9), query.real(10), query.real(11)));
-        rows.push_back({query.integer(0), query.integer(1), query.text(2),
-                        measures_key(static_cast<std::uint32_t>(query.integer(3)),
-                                     static_cast<std::uint32_t>(query.integer(4)), query.real(5),
-                                     bounds)});
+        rows.push_back(
+            {query.integer(0), query.integer(1), query.text(2),
+             measures_key(static_cast<std::uint32_t>(query.integer(3)),
+                          static_cast<std::uint32_t>(query.integer(4)), query.real(5), bounds)});
     }
     return rows;
 }
@@ -75,9 +75,9 @@ std::vector<ModelRow> read_rows(Connection& connection, std::int64_t block) {
 /// whoever comes upon it.
 void append_stored(Connection& connection, ModelId id, ranking::ScanRows& rows) {
     descriptor::ModelDescriptor descriptor;
-    Query query(connection.statement(
-        "SELECT d.skeleton, d.globals, s.signature FROM descriptors d "
-        "JOIN signatures s ON s.model = d.model WHERE d.model = ?"));
+    Query query(
+        connection.statement("SELECT d.skeleton, d.globals, s.signature FROM descriptors d "
+                             "JOIN signatures s ON s.model = d.model WHERE d.model = ?"));
     if (query.bind(id).step()) {
         auto decoded = descriptor_from(query.blob(0), query.blob(1), query.blob(2));
         if (decoded) descriptor = *std::move(decoded);
@@ -123,10 +123,9 @@ void write_scan_block(Connection& connection, std::int64_t number, Revision revi
     const auto earlier = read_block(connection, number);
     const std::string blob = encode_scan_block(
         make_scan_block(connection, number, fresh, earlier ? &*earlier : nullptr));
-    Query(connection.statement(
-              "INSERT INTO scan_blocks (block, revision, models) VALUES (?, ?, ?) "
-              "ON CONFLICT (block) DO UPDATE SET revision = excluded.revision, "
-              "models = excluded.models"))
+    Query(connection.statement("INSERT INTO scan_blocks (block, revision, models) VALUES (?, ?, ?) "
+                               "ON CONFLICT (block) DO UPDATE SET revision = excluded.revision, "
+                               "models = excluded.models"))
         .bind(number, revision, BlobView{blob})
         .run();
 }
@@ -148,8 +147,9 @@ Result<StoredScan> Store::scan(const std::optional<CollectionState>& known) {
         scan.state = *state;
         scan.whole = !known || known->replacements != state->replacements;
         Query blocks(impl_->statement(
-            scan.whole ? "SELECT block, models FROM scan_blocks ORDER BY block"
-                       : "SELECT block, models FROM scan_blocks WHERE revision > ? ORDER BY block"));
+            scan.whole
+                ? "SELECT block, models FROM scan_blocks ORDER BY block"
+                : "SELECT block, models FROM scan_blocks WHERE revision > ? ORDER BY block"));
         if (!scan.whole) blocks.bind(known->models);
         while (blocks.step()) {
             auto decoded = decode_scan_block(blocks.blob(1));
@@ -158,8 +158,8 @@ Result<StoredScan> Store::scan(const std::optional<CollectionState>& known) {
                                                        std::to_string(blocks.integer(0)) + ": " +
                                                        decoded.error().message};
             }
-            scan.blocks.push_back({blocks.integer(0),
-                                   std::make_shared<const ScanBlock>(*std::move(decoded))});
+            scan.blocks.push_back(
+                {blocks.integer(0), std::make_shared<const ScanBlock>(*std::move(decoded))});
         }
         if (scan.whole || known->statistics != state->statistics) {
             Query statistics(impl_->statement("SELECT revision, statistics FROM statistics"));

@@ -14,8 +14,8 @@ namespace ossuary::index {
 /// The row of each model that is described in this transaction.
 using FreshRows = std::map<ModelId, ranking::ScanRows>;
 
-/// A block as the other tables have it: rows that are in neither `fresh` nor `earlier` are made from
-/// the stored descriptors.
+/// A block as the other tables have it: rows that are in neither `fresh` nor `earlier` are made
+/// from the stored descriptors.
 ScanBlock make_scan_block(Connection& connection, std::int64_t number, const FreshRows& fresh,
                           const ScanBlock* earlier);
 

@@ -39,9 +39,8 @@ void verify_scan(Store::Impl& impl, VerifyReport& report) {
     Connection& connection = *impl.connection;
     std::set<std::int64_t> numbers;
     {
-        Query models(
-            impl.statement("SELECT DISTINCT id / " + std::to_string(kScanBlockModels) +
-                           " FROM models UNION SELECT block FROM scan_blocks"));
+        Query models(impl.statement("SELECT DISTINCT id / " + std::to_string(kScanBlockModels) +
+                                    " FROM models UNION SELECT block FROM scan_blocks"));
         while (models.step()) numbers.insert(models.integer(0));
     }
     for (const std::int64_t number : numbers) {

@@ -18,10 +18,18 @@ constexpr std::array<std::string_view, 9> kMethods = {
 // Scripts, styles, pictures and calls from this server only; meshes' pictures may be data or blobs.
 constexpr std::string_view kGalleryPolicy =
     "default-src 'self'; img-src 'self' data: blob:; object-src 'none'; base-uri 'none'; "
-    "form-action 'self'; frame-ancestors 'none'";
+    "form-action 'self'; frame-ancestors ";
 // Answers are data: should a browser show one as a page, it may do nothing.
 constexpr std::string_view kDataPolicy =
     "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'; sandbox";
+/// The one page that is made to be shown within others.
+constexpr std::string_view kEmbeddedPage = "/embed.html";
+
+std::string in_one(const std::vector<std::string>& origins) {
+    std::string text;
+    for (const std::string& each : origins) text += (text.empty() ? "" : " ") + each;
+    return text;
+}
 
 }  // namespace
 
@@ -102,6 +110,8 @@ Response Application::without_route(const RequestHead& head, const std::string& 
         if (auto file = service_.files.find(head)) {
             if (head.method == "GET" || head.method == "HEAD") {
                 file->route = "gallery";
+                if (head.path == kEmbeddedPage)
+                    file->framed_by = in_one(service_.options.embedders);
                 return *std::move(file);
             }
             allow = "GET, HEAD, OPTIONS";
@@ -141,12 +151,15 @@ void Application::complete(Response& response, const std::string& id) {
     const bool page = response.content_type.starts_with("text/html");
     response.set_header("X-Request-Id", id);
     response.set_header("X-Content-Type-Options", "nosniff");
-    response.set_header("X-Frame-Options", "DENY");
+    // It knows no origins: where some are named, what the policy says holds alone.
+    if (response.framed_by.empty()) response.set_header("X-Frame-Options", "DENY");
     response.set_header("Referrer-Policy", "no-referrer");
     response.set_header("Cross-Origin-Opener-Policy", "same-origin");
     response.set_header("Cross-Origin-Resource-Policy", "same-origin");
     response.set_header("Content-Security-Policy",
-                        std::string(page ? kGalleryPolicy : kDataPolicy));
+                        page ? std::string(kGalleryPolicy) +
+                                   (response.framed_by.empty() ? "'none'" : response.framed_by)
+                             : std::string(kDataPolicy));
 }
 
 void Application::finished(const Exchange& exchange) {

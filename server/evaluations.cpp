@@ -66,6 +66,12 @@ std::optional<Evaluations::Shared> Evaluations::peek(const index::Snapshot& snap
     return found->second;
 }
 
+std::size_t Evaluations::sample_of(std::size_t queries) const {
+    constexpr std::size_t kLeast = 100;
+    if (queries <= limits_.models) return queries;
+    return std::min(queries, std::max(kLeast, limits_.models * limits_.models / queries));
+}
+
 std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snapshot,
                                                             const ranking::RankOptions& options,
                                                             std::stop_token stop) {
@@ -75,12 +81,6 @@ std::optional<Result<Evaluations::Shared>> Evaluations::get(const Snapshot& snap
         return Answer(ErrorCode::kEvaluationNotFound,
                       "An evaluation needs two classes with two models each; the collection has " +
                           std::to_string(found.classes) + ".");
-    }
-    if (found.models > limits_.models) {
-        return Answer(ErrorCode::kEvaluationNotFound,
-                      "The collection has " + std::to_string(found.models) +
-                          " models with a class; this server evaluates at most " +
-                          std::to_string(limits_.models) + ". `ossuary evaluate` has no limit.");
     }
     const Key key{snapshot->state().replacements, snapshot->revision(), options.ranker,
                   options.rerank};
@@ -147,6 +147,8 @@ Result<Evaluations::Shared> Evaluations::compute(const Task& task, std::stop_tok
     index::EvaluateOptions options;
     options.rank = task.options;
     options.rank.stop = std::move(stop);
+    const std::size_t queries = evaluable(*task.snapshot).models;
+    if (const std::size_t sample = sample_of(queries); sample < queries) options.sample = sample;
     auto evaluation = compute_(*task.snapshot, options);
     if (!evaluation) return evaluation.error();
     log_.info("evaluated " + std::string(to_string(task.options.ranker)) + " over " +

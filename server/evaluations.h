@@ -40,7 +40,7 @@ public:
         std::function<Result<index::Evaluation>(const index::Snapshot&, index::EvaluateOptions)>;
 
     struct Limits {
-        std::size_t models = 1500;  ///< larger collections are not evaluated
+        std::size_t models = 1500;  ///< of larger collections a sample is searched with
         std::size_t waiting = 16;   ///< requests that may wait; they hold a thread each
     };
     Evaluations(Compute compute, const Limits& limits, Log& log);
@@ -53,7 +53,9 @@ public:
     /// What `get` has at hand for this revision; none where it would have to compute.
     [[nodiscard]] std::optional<Shared> peek(const index::Snapshot& snapshot,
                                              const ranking::RankOptions& options);
-    [[nodiscard]] std::size_t max_models() const { return limits_.models; }
+    /// How many of so many queries are searched with: of more than the limit's so many that no more
+    /// pairs are compared than at the limit, but a hundred at least.
+    [[nodiscard]] std::size_t sample_of(std::size_t queries) const;
 
 private:
     /// The state of the collection's models, see index::CollectionState, and what is evaluated.

@@ -93,6 +93,14 @@ Result<void> Jobs::remove(index::ModelId id) {
     return {};
 }
 
+Result<void> Jobs::classify(index::ModelId id, const std::string& class_name) {
+    const index::Change change = index::ClassifyModel{id, class_name};
+    if (auto done = store_.apply({&change, 1}); !done) return done.error();
+    folded_ = false;
+    changed_(false);
+    return {};
+}
+
 Result<index::Orientation> Jobs::turn(index::ModelId id, std::optional<index::Up> up) {
     return index::turn_model(store_, id, up);
 }

@@ -47,6 +47,8 @@ public:
     Result<std::optional<index::UploadId>> add(const index::UploadedModel& upload);
     /// Errors: model_not_found, those of the store.
     Result<void> remove(index::ModelId id);
+    /// Empty: no class. Errors: model_not_found, those of the store.
+    Result<void> classify(index::ModelId id, const std::string& class_name);
     /// See index::turn_model.
     Result<index::Orientation> turn(index::ModelId id, std::optional<index::Up> up);
 

@@ -52,10 +52,11 @@ struct Response {
     std::string content_type;
     std::string body;
     Fields headers;
-    bool close = false;  ///< end the connection after this answer
-    std::string code;    ///< of the problem, for the log; empty for none
-    std::string cause;   ///< for the log alone: what went wrong on our side, empty for nothing
-    std::string route;   ///< for metrics: the route's pattern, empty for none
+    bool close = false;     ///< end the connection after this answer
+    std::string code;       ///< of the problem, for the log; empty for none
+    std::string cause;      ///< for the log alone: what went wrong on our side, empty for nothing
+    std::string route;      ///< for metrics: the route's pattern, empty for none
+    std::string framed_by;  ///< the origins whose pages may show it in a frame, empty for none
 
     Response& set_header(std::string name, std::string value) {
         headers.push_back({std::move(name), std::move(value)});

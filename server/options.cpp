@@ -19,6 +19,21 @@ struct Seconds {
     long request, drain, model;
 };
 
+/// What may stand in a header among the origins that frames are allowed to: `*`, or a scheme, a
+/// host and perhaps a port.
+std::string is_embedder(const std::string& origin) {
+    const auto rest = [&]() -> std::string_view {
+        for (const std::string_view scheme : {"https://", "http://"}) {
+            if (origin.starts_with(scheme)) return std::string_view(origin).substr(scheme.size());
+        }
+        return {};
+    }();
+    const bool sound = !rest.empty() && std::all_of(rest.begin(), rest.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == ':';
+    });
+    return origin == "*" || sound ? "" : origin + ": expected https://HOST[:PORT], or *";
+}
+
 void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
     app.set_config("--config", "", "a file of options, one a line: port = 8080");
     app.allow_config_extras(CLI::config_extras_mode::error);
@@ -39,6 +54,12 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
                    "several with commas between")
         ->delimiter(',')
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--allow-embedding", options.embedders,
+                   "an origin (https://example.com) whose pages may show models in a frame, see "
+                   "/embed.html; * for all")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(is_embedder);
     app.add_option("--threads", options.http.threads, "connections served at once")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
@@ -61,7 +82,7 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
                  "let everybody who reaches the server have the indexed files themselves, and what "
                  "is made from them at full resolution");
     app.add_option("--max-evaluation-models", options.evaluation_models,
-                   "larger collections are not evaluated on request")
+                   "of larger collections reports are made by searching with a sample")
         ->capture_default_str();
     app.add_option(
            "--request-timeout", seconds.request,

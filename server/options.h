@@ -26,7 +26,8 @@ struct ServerOptions {
     std::size_t searches_waiting = 32;           ///< more are turned away
     std::size_t kept_queries_bytes = 256 << 20;  ///< of memory for uploads that were searched with
     bool serve_files = false;                    ///< whether the files themselves may be had
-    std::size_t evaluation_models = 1500;     ///< larger collections are not evaluated on request
+    std::size_t evaluation_models = 1500;     ///< of larger collections a sample is searched with
+    std::vector<std::string> embedders;       ///< origins whose pages may show a model in a frame
     std::chrono::seconds model_timeout{600};  ///< to describe an uploaded model; 0 = for ever
     std::chrono::seconds drain_timeout{30};
     LogOptions log;

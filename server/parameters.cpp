@@ -43,12 +43,14 @@ const std::string* ParameterReader::take(std::string_view name) {
     return found;
 }
 
-std::optional<std::string> ParameterReader::text(std::string_view name, std::size_t max_size) {
+std::optional<std::string> ParameterReader::text(std::string_view name, std::size_t max_size,
+                                                 std::size_t min_size) {
     const std::string* value = take(name);
     if (value == nullptr) return std::nullopt;
-    if (value->empty() || value->size() > max_size) {
-        refuse(name, "`" + std::string(name) + "` must have 1 to " + std::to_string(max_size) +
-                         " bytes; it has " + std::to_string(value->size()) + ".");
+    if (value->size() < min_size || value->size() > max_size) {
+        refuse(name, "`" + std::string(name) + "` must have " + std::to_string(min_size) + " to " +
+                         std::to_string(max_size) + " bytes; it has " +
+                         std::to_string(value->size()) + ".");
         return std::nullopt;
     }
     return *value;
@@ -148,6 +150,8 @@ index::SearchOptions read_search_options(ParameterReader& reader) {
         reader.integer("limit", 1, 1000).value_or(static_cast<std::int64_t>(options.limit)));
     options.rank = read_rank_options(reader, true);
     options.class_filter = reader.text("class").value_or("");
+    options.folder = reader.text("folder", 1024);
+    options.kind = reader.text("kind", 16);
     options.fold_copies = reader.boolean("fold").value_or(options.fold_copies);
     return options;
 }

@@ -20,7 +20,8 @@ class ParameterReader {
 public:
     explicit ParameterReader(const RequestHead& head);
 
-    std::optional<std::string> text(std::string_view name, std::size_t max_size = 256);
+    std::optional<std::string> text(std::string_view name, std::size_t max_size = 256,
+                                    std::size_t min_size = 1);
     std::optional<std::int64_t> integer(std::string_view name, std::int64_t least,
                                         std::int64_t most);
     std::optional<double> number(std::string_view name, double least, double most);

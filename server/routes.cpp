@@ -37,6 +37,7 @@ const std::vector<Route>& routes() {
         {"GET", "/v1/evaluations/{ranker}.svg", evaluation_svg},
         {"GET", "/v1/evaluations/{ranker}", evaluation_json},
         {"GET", "/v1/jobs/{id}", get_job},
+        {"GET", "/v1/failures", list_failures, nullptr, Body::kNone, kAdministrator},
         {"GET", "/livez", live, nullptr, Body::kNone, kEveryone, false, true},
         {"GET", "/readyz", ready},
         {"GET", "/metrics", metrics},

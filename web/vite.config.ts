@@ -33,5 +33,6 @@ export default defineConfig({
         assetsInlineLimit: 0,
         modulePreload: { polyfill: false },
         chunkSizeWarningLimit: 800,
+        rolldownOptions: { input: ['index.html', 'embed.html'] },
     },
 });

@@ -82,8 +82,8 @@ Result<std::vector<RankedModel>> measure_nearest(NearSearch& search,
                                                  const RankOptions& options,
                                                  const NearestOptions& nearest) {
     std::vector<RankedModel> models;
-    for (const std::uint32_t index : preselection.nearest(query.signature, nearest.by_signature,
-                                                          nearest.among, options.jobs)) {
+    for (const std::uint32_t index :
+         preselection.nearest(query.signature, nearest.by_signature, nearest.among, options.jobs)) {
         models.push_back({index, 0.0});
     }
     search.sketch(models, preselection);
@@ -130,8 +130,8 @@ std::vector<std::uint16_t> Preselection::distances(
             while (i >= first_[block + 1]) ++block;
             const std::uint8_t* signature = blocks_[block]->signatures.data() +
                                             (i - first_[block]) * descriptor::kSignatureSize;
-            distances[k] = static_cast<Distance>(descriptor::byte_distance(
-                query.data(), signature, descriptor::kSignatureSize));
+            distances[k] = static_cast<Distance>(
+                descriptor::byte_distance(query.data(), signature, descriptor::kSignatureSize));
         }
     };
     parallel_for((distances.size() + kScanned - 1) / kScanned, jobs, [&](std::size_t part) {

@@ -75,8 +75,9 @@ struct NearestOptions {
 /// signatures, the sketches and then the global descriptors of what is left, then the ranker's own
 /// distance of the finalists, bit by bit that of rank_distances. Where many models are wanted there
 /// are four finalists for each at least. The thesis' `chain-code`, parts, more than a quarter of a
-/// collection wanted, and small collections are measured exhaustively, by blocks of models. With `rerank` the nearest 200 finalists change places among themselves.
-/// Models that are not there any more are no hits. Errors: cancelled, those of the source.
+/// collection wanted, and small collections are measured exhaustively, by blocks of models. With
+/// `rerank` the nearest 200 finalists change places among themselves. Models that are not there any
+/// more are no hits. Errors: cancelled, those of the source.
 /// @param preselection  of the source's collection
 Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
                                                 DescriptorSource& collection,

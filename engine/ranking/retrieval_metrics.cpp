@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace ossuary::ranking {
 namespace {
@@ -42,14 +43,14 @@ ClassTable number_classes(std::span<const std::string> labels) {
 }
 
 /// All models but the query, nearest first.
-std::vector<std::uint32_t> ranked_list(const DistanceMatrix& distances, std::size_t query) {
+std::vector<std::uint32_t> ranked_list(std::span<const float> distances, std::size_t query) {
     std::vector<std::uint32_t> list;
-    list.reserve(distances.size);
-    for (std::size_t j = 0; j < distances.size; ++j) {
+    list.reserve(distances.size());
+    for (std::size_t j = 0; j < distances.size(); ++j) {
         if (j != query) list.push_back(static_cast<std::uint32_t>(j));
     }
     const auto key = [&](std::uint32_t j) {
-        const float d = distances.at(query, j);
+        const float d = distances[j];
         return std::isnan(d) ? std::numeric_limits<float>::infinity() : d;
     };
     std::sort(list.begin(), list.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -151,59 +152,120 @@ void divide(RetrievalMetrics& sum, std::size_t count) {
     for (const auto field : kFields) sum.*field /= static_cast<double>(count);
 }
 
+/// Adds up a report, query by query.
+class ReportSum {
+public:
+    ReportSum(std::span<const std::string> labels, const RetrievalOptions& options)
+        : classes_(number_classes(labels)),
+          reported_(classes_.names.size(), kNoClass),
+          least_(std::max<std::size_t>(options.min_class_size, 2)) {}
+
+    /// Whether a model is of a class that is large enough.
+    [[nodiscard]] bool is_query(std::size_t model) const {
+        const std::size_t own = classes_.class_of_model[model];
+        return own != kNoClass && classes_.sizes[own] >= least_;
+    }
+
+    /// Reports on the classes of these queries, in order of their first appearance in the
+    /// collection.
+    void expect(std::span<const std::size_t> queries) {
+        std::vector<bool> asked(classes_.names.size(), false);
+        for (const std::size_t query : queries) asked[classes_.class_of_model[query]] = true;
+        for (std::size_t c = 0; c < asked.size(); ++c) {
+            if (!asked[c]) continue;
+            reported_[c] = report_.classes++;
+            report_.per_class.push_back({classes_.names[c], classes_.sizes[c], {}});
+        }
+        report_.confusion.assign(report_.classes * report_.classes, 0.0);
+        queries_of_.assign(report_.classes, 0);
+    }
+
+    void add_query(std::size_t query, std::span<const float> distances) {
+        const std::size_t own = classes_.class_of_model[query];
+        const std::vector<std::uint32_t> list = ranked_list(distances, query);
+        const std::vector<std::size_t> ranks = relevant_ranks(list, classes_, own);
+        const RetrievalMetrics metrics = query_metrics(ranks, list.size());
+
+        const std::size_t row = reported_[own];
+        ++queries_of_[row];
+        add(report_.per_class[row].metrics, metrics);
+        add(report_.mean, metrics);
+        curve_.add(ranks);
+        report_.per_query.push_back({query, metrics});
+
+        const std::size_t nearest = classes_.class_of_model[list.front()];
+        if (nearest != kNoClass && reported_[nearest] != kNoClass) {
+            report_.confusion[row * report_.classes + reported_[nearest]] += 1.0;
+        }
+    }
+
+    RetrievalReport report() && {
+        report_.models = report_.per_query.size();
+        report_.precision_recall = curve_.mean();
+        for (std::size_t i = 0; i < report_.classes; ++i) {
+            ClassMetrics& entry = report_.per_class[i];
+            divide(entry.metrics, queries_of_[i]);
+            add(report_.macro_mean, entry.metrics);
+            for (std::size_t j = 0; j < report_.classes; ++j) {
+                report_.confusion[i * report_.classes + j] /= static_cast<double>(queries_of_[i]);
+            }
+        }
+        if (report_.models > 0) {
+            divide(report_.mean, report_.models);
+            divide(report_.macro_mean, report_.classes);
+        }
+        return std::move(report_);
+    }
+
+private:
+    const ClassTable classes_;
+    std::vector<std::size_t> reported_;  ///< row of each class; kNoClass where it has none
+    const std::size_t least_;
+    std::vector<std::size_t> queries_of_;  ///< by row
+    PrecisionRecallSum curve_;
+    RetrievalReport report_;
+};
+
 }  // namespace
+
+std::vector<std::size_t> retrieval_queries(std::span<const std::string> labels,
+                                           const RetrievalOptions& options) {
+    const ReportSum sum(labels, options);
+    std::vector<std::size_t> queries;
+    for (std::size_t model = 0; model < labels.size(); ++model) {
+        if (sum.is_query(model)) queries.push_back(model);
+    }
+    return queries;
+}
 
 RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
                                    std::span<const std::string> labels,
                                    const RetrievalOptions& options) {
     assert(labels.size() == distances.size);
     assert(distances.values.size() == distances.size * distances.size);
-    const ClassTable classes = number_classes(labels);
-
-    RetrievalReport report;
-    std::vector<std::size_t> reported(classes.names.size(), kNoClass);
-    for (std::size_t c = 0; c < classes.names.size(); ++c) {
-        if (classes.sizes[c] < std::max<std::size_t>(options.min_class_size, 2)) continue;
-        reported[c] = report.classes++;
-        report.per_class.push_back({classes.names[c], classes.sizes[c], {}});
+    const std::vector<std::size_t> queries = retrieval_queries(labels, options);
+    ReportSum sum(labels, options);
+    sum.expect(queries);
+    const std::span<const float> values(distances.values);
+    for (const std::size_t query : queries) {
+        sum.add_query(query, values.subspan(query * distances.size, distances.size));
     }
-    report.confusion.assign(report.classes * report.classes, 0.0);
+    return std::move(sum).report();
+}
 
-    PrecisionRecallSum curve;
-    for (std::size_t query = 0; query < distances.size; ++query) {
-        const std::size_t own = classes.class_of_model[query];
-        if (own == kNoClass || reported[own] == kNoClass) continue;
-        const std::vector<std::uint32_t> list = ranked_list(distances, query);
-        const std::vector<std::size_t> ranks = relevant_ranks(list, classes, own);
-        const RetrievalMetrics metrics = query_metrics(ranks, list.size());
-
-        ClassMetrics& class_metrics = report.per_class[reported[own]];
-        add(class_metrics.metrics, metrics);
-        add(report.mean, metrics);
-        curve.add(ranks);
-        report.per_query.push_back({query, metrics});
-
-        const std::size_t nearest = classes.class_of_model[list.front()];
-        if (nearest != kNoClass && reported[nearest] != kNoClass) {
-            report.confusion[reported[own] * report.classes + reported[nearest]] += 1.0;
-        }
+RetrievalReport evaluate_queries(std::span<const QueryDistances> queries,
+                                 std::span<const std::string> labels,
+                                 const RetrievalOptions& options) {
+    ReportSum sum(labels, options);
+    std::vector<std::size_t> asked;
+    for (const QueryDistances& each : queries) {
+        assert(each.distances.size() == labels.size());
+        assert(sum.is_query(each.query));
+        asked.push_back(each.query);
     }
-
-    report.models = report.per_query.size();
-    report.precision_recall = curve.mean();
-    for (std::size_t i = 0; i < report.classes; ++i) {
-        ClassMetrics& entry = report.per_class[i];
-        divide(entry.metrics, entry.models);
-        add(report.macro_mean, entry.metrics);
-        for (std::size_t j = 0; j < report.classes; ++j) {
-            report.confusion[i * report.classes + j] /= static_cast<double>(entry.models);
-        }
-    }
-    if (report.models > 0) {
-        divide(report.mean, report.models);
-        divide(report.macro_mean, report.classes);
-    }
-    return report;
+    sum.expect(asked);
+    for (const QueryDistances& each : queries) sum.add_query(each.query, each.distances);
+    return std::move(sum).report();
 }
 
 }  // namespace ossuary::ranking

@@ -69,4 +69,21 @@ RetrievalReport evaluate_retrieval(const DistanceMatrix& distances,
                                    std::span<const std::string> labels,
                                    const RetrievalOptions& options = {});
 
+/// The distances of one query to all models of a collection, its own place among them.
+struct QueryDistances {
+    std::size_t query = 0;
+    std::vector<float> distances;
+};
+
+/// The same for some of the models as queries, each against all others: a row of what would be the
+/// matrix for each. Classes none of whose models is a query are left out; of the others `models`
+/// are all that the collection has, and the means are those of their queries.
+RetrievalReport evaluate_queries(std::span<const QueryDistances> queries,
+                                 std::span<const std::string> labels,
+                                 const RetrievalOptions& options = {});
+
+/// The models that evaluate_retrieval takes for queries, ascending.
+[[nodiscard]] std::vector<std::size_t> retrieval_queries(std::span<const std::string> labels,
+                                                         const RetrievalOptions& options = {});
+
 }  // namespace ossuary::ranking

@@ -33,8 +33,8 @@ struct ScanRows {
 
     [[nodiscard]] std::size_t size() const { return keys.size(); }
     [[nodiscard]] ScanRow row(std::size_t at) const {
-        return {std::span(signatures).subspan(at * descriptor::kSignatureSize,
-                                              descriptor::kSignatureSize),
+        return {std::span(signatures)
+                    .subspan(at * descriptor::kSignatureSize, descriptor::kSignatureSize),
                 std::span(sketches).subspan(at * kSketchSize, kSketchSize), informations[at],
                 keys[at]};
     }

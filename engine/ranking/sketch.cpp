@@ -32,8 +32,8 @@ public:
     /// The next byte goes to the cell of this mark, a new one at its first mention.
     void to(std::size_t mark) {
         const auto known = std::find(marks_.begin(), marks_.end(), mark);
-        part_.cells.push_back(
-            static_cast<std::uint16_t>(part_.size + static_cast<std::size_t>(known - marks_.begin())));
+        part_.cells.push_back(static_cast<std::uint16_t>(
+            part_.size + static_cast<std::size_t>(known - marks_.begin())));
         if (known == marks_.end()) marks_.push_back(mark);
     }
     void leave_out() { part_.cells.push_back(kNone); }
@@ -167,7 +167,8 @@ void sketch_part(const Part& part, std::span<const std::uint8_t> values, std::ui
         counts[cell] += 1.0;
     }
     for (std::size_t cell = 0; cell < part.size; ++cell) {
-        const double value = part.is_mean ? sums[cell] / counts[cell] : part.root_scale * std::sqrt(sums[cell]);
+        const double value =
+            part.is_mean ? sums[cell] / counts[cell] : part.root_scale * std::sqrt(sums[cell]);
         cells[cell] = static_cast<std::uint8_t>(std::min(255.0, std::round(value)));
     }
 }
@@ -190,8 +191,8 @@ double views_distance(const std::uint8_t* a, const std::uint8_t* b) {
         std::array<std::array<std::uint32_t, 3>, 3> each{};
         for (std::size_t i = 0; i < 3; ++i) {
             for (std::size_t j = 0; j < 3; ++j) {
-                each[i][j] = descriptor::byte_distance(own + i * kViewCells,
-                                                       other + j * kViewCells, kViewCells);
+                each[i][j] = descriptor::byte_distance(own + i * kViewCells, other + j * kViewCells,
+                                                       kViewCells);
             }
         }
         std::uint32_t best = each[0][0] + each[1][1] + each[2][2];
@@ -274,8 +275,8 @@ ComponentValues sketch_components(std::span<const std::uint8_t> a, std::span<con
     }
     if (options.size > 0.0) {
         const Part& size = all.back();
-        values[kSizeComponent] = descriptor::body_size_distance(
-            a.subspan(size.offset, size.size), b.subspan(size.offset, size.size));
+        values[kSizeComponent] = descriptor::body_size_distance(a.subspan(size.offset, size.size),
+                                                                b.subspan(size.offset, size.size));
     }
     return values;
 }

@@ -90,8 +90,8 @@ void say_what_it_costs(std::size_t models, const Session& session) {
     constexpr double kPairMs = 0.035, kDescriptorMb = 0.025, kMatrixMb = 12e-6;
     const auto count = static_cast<double>(models);
     std::cerr << terminal_format(
-        "all pairs of up to {} models: up to {:.0f} s for each ranker, {:.0f} MB of memory\n", models,
-        0.5 * count * count * kPairMs / 1000.0 / resolve_jobs(session.jobs),
+        "all pairs of up to {} models: up to {:.0f} s for each ranker, {:.0f} MB of memory\n",
+        models, 0.5 * count * count * kPairMs / 1000.0 / resolve_jobs(session.jobs),
         count * kDescriptorMb + count * count * kMatrixMb);
 }
 
@@ -190,7 +190,8 @@ Result<std::vector<index::BuildAndPose>> ask_build_and_pose(const EvaluateArgume
     std::vector<index::BuildAndPose> evaluations;
     for (const ranking::RankOptions& rank : *ranks) {
         asked.rank = rank;
-        Result<index::BuildAndPose> evaluation = index::evaluate_build_and_pose(snapshot, stores, asked);
+        Result<index::BuildAndPose> evaluation =
+            index::evaluate_build_and_pose(snapshot, stores, asked);
         if (!evaluation.ok()) return evaluation.error();
         evaluations.push_back(*std::move(evaluation));
     }
@@ -209,8 +210,8 @@ Result<void> write_build_and_pose(const EvaluateArguments& options, const Sessio
     for (const std::size_t position : models->positions) {
         shown.order.push_back(snapshot.id(position));
     }
-    const auto examples = index::pose_examples(snapshot, searcher.stores(), shown, kPosesOfAClass,
-                                               session.jobs);
+    const auto examples =
+        index::pose_examples(snapshot, searcher.stores(), shown, kPosesOfAClass, session.jobs);
     if (!examples.ok()) return examples.error();
     const auto page = index::write_pose_gallery(options.report_folder, searcher.store(), *examples,
                                                 index::build_and_pose_svg(evaluations));
@@ -236,7 +237,8 @@ Result<ExitCode> run_build_and_pose(const EvaluateArguments& options, const Sess
     if (!snapshot.ok()) return snapshot.error();
     const auto asked = read_build_and_pose(options);
     if (!asked.ok()) return asked.error();
-    const auto evaluations = ask_build_and_pose(options, session, **snapshot, searcher->stores(), *asked);
+    const auto evaluations =
+        ask_build_and_pose(options, session, **snapshot, searcher->stores(), *asked);
     if (!evaluations.ok()) return evaluations.error();
     if (!options.report_folder.empty()) {
         const auto written = write_build_and_pose(options, session, *searcher, **snapshot,
@@ -268,8 +270,7 @@ Result<ExitCode> run(const EvaluateArguments& options, const Session& session) {
         if (!written.ok()) return written.error();
     }
     if (!options.report_folder.empty()) {
-        const auto written =
-            write_reports(options, session, *searcher, **snapshot, *evaluations);
+        const auto written = write_reports(options, session, *searcher, **snapshot, *evaluations);
         if (!written.ok()) return written.error();
     }
     print_all(session, *evaluations, print_evaluation);

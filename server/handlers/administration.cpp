@@ -20,7 +20,43 @@ nlohmann::json job_error(const index::UploadRecord& job) {
     return {{"code", job.code}, {"message", message}};
 }
 
+/// @param axis x, y, z or auto
+Checked<index::Orientation> turn(Service& service, index::ModelId id, const std::string& axis) {
+    std::optional<index::Up> up;
+    if (axis != "auto") {
+        const auto parsed = index::parse_up(axis);
+        if (!parsed) return fail(parsed.error());
+        up = *parsed;
+    }
+    const auto turned = service.jobs->turn(id, up);
+    if (!turned) return fail(turned.error());
+    return *turned;
+}
+
 }  // namespace
+
+Checked<Response> list_failures(Service& service, const Request& request) {
+    if (auto fault = refuse_parameters(request.head)) {
+        return tl::unexpected<Problem>(*std::move(fault));
+    }
+    const auto failures = service.searcher.store().failures();
+    if (!failures) return fail(failures.error());
+    const index::ModelRoots roots = roots_of(service);
+    auto list = nlohmann::json::array();
+    for (index::Failure failure : *failures) {
+        // Messages name the file as the indexer did: whole.
+        const std::string relative = roots.relative(failure.path);
+        for (auto at = failure.message.find(failure.path); at != std::string::npos;
+             at = failure.message.find(failure.path, at + relative.size())) {
+            failure.message.replace(at, failure.path.size(), relative);
+        }
+        failure.path = relative;
+        list.push_back(index::to_json(failure));
+    }
+    Response response = json_answer({{"failures", std::move(list)}});
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
 
 std::optional<Problem> check_add_model(const Service&, const RequestHead& head) {
     ParameterReader reader(head);
@@ -57,18 +93,21 @@ Checked<Response> add_model(Service& service, const Request& request) {
 
 Checked<Response> change_model(Service& service, const Request& request) {
     ParameterReader reader(request.head);
-    reader.require("up");
-    const std::string axis = reader.choice("up", {"x", "y", "z", "auto"}).value_or("");
+    const std::string* class_name = find_field(request.head.parameters, "class");
+    if (class_name == nullptr) reader.require("up");
+    reader.text("class", 256, 0);
+    const auto axis = reader.choice("up", {"x", "y", "z", "auto"});
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
     const auto id = parse_id(request.capture, "model");
     if (!id) return tl::unexpected<Problem>(id.error());
-    std::optional<index::Up> up;
-    if (axis != "auto") {
-        const auto parsed = index::parse_up(axis);
-        if (!parsed) return fail(parsed.error());
-        up = *parsed;
+    if (class_name != nullptr) {
+        const auto classified = service.jobs->classify(*id, *class_name);
+        if (!classified) return fail(classified.error());
     }
-    if (const auto turned = service.jobs->turn(*id, up); !turned) return fail(turned.error());
+    if (axis) {
+        const auto turned = turn(service, *id, *axis);
+        if (!turned) return tl::unexpected<Problem>(turned.error());
+    }
     const auto model = service.searcher.store().model(*id);
     if (!model) return fail(model.error());
     Response response = json_answer(model_json(service, roots_of(service), *model));

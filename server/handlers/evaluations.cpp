@@ -11,8 +11,8 @@ namespace ossuary::server {
 namespace {
 
 /// The evaluation that path and parameters name.
-Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& request) {
-    ParameterReader reader(request.head);
+Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& request,
+                                              ParameterReader& reader) {
     ranking::RankOptions options;
     options.jobs = 0;
     options.rerank = reader.boolean("rerank").value_or(false);
@@ -55,8 +55,8 @@ Checked<Response> list_evaluations(Service& service, const Request& request) {
 
     auto list = nlohmann::json::array();
     const Evaluable collection = evaluable(**snapshot);
-    const bool possible =
-        collection.classes >= 2 && collection.models <= service.evaluations.max_models();
+    const bool possible = collection.classes >= 2;
+    const std::size_t asked = service.evaluations.sample_of(collection.models);
     for (const ranking::RankerKind ranker : ranking::kAllRankers) {
         for (const bool rerank : {false, true}) {
             ranking::RankOptions options;
@@ -68,7 +68,7 @@ Checked<Response> list_evaluations(Service& service, const Request& request) {
             }
             for (const index::StoredEvaluation& each : *stored) {
                 if (each.key.ranker == ranker && each.key.rerank == rerank &&
-                    each.key.pose == options.pose && each.report.models == collection.models) {
+                    each.key.pose == options.pose && each.report.models == asked) {
                     computed_at = each.computed_at;
                 }
             }
@@ -83,13 +83,24 @@ Checked<Response> list_evaluations(Service& service, const Request& request) {
 }
 
 Checked<Response> evaluation_json(Service& service, const Request& request) {
-    const auto asked = asked_evaluation(service, request);
+    ParameterReader reader(request.head);
+    const bool with_queries = reader.choice("include", {"queries"}).has_value();
+    const auto asked = asked_evaluation(service, request, reader);
     if (!asked) return tl::unexpected<Problem>(asked.error());
-    return conditional(request.head, json_answer(index::to_json(**asked)));
+    auto json = index::to_json(**asked);
+    if (with_queries) {
+        const auto snapshot = service.searcher.snapshot();
+        if (!snapshot) return fail(snapshot.error());
+        const auto catalogue = (*snapshot)->catalogue(service.searcher.store());
+        if (!catalogue) return fail(catalogue.error());
+        json["queries"] = index::queries_json(**asked, **snapshot, **catalogue);
+    }
+    return conditional(request.head, json_answer(json));
 }
 
 Checked<Response> evaluation_csv(Service& service, const Request& request) {
-    const auto asked = asked_evaluation(service, request);
+    ParameterReader reader(request.head);
+    const auto asked = asked_evaluation(service, request, reader);
     if (!asked) return tl::unexpected<Problem>(asked.error());
     const std::span<const index::Evaluation> one(asked->get(), 1);
     Response response = answer("text/csv; charset=utf-8", index::precision_recall_csv(one));
@@ -99,7 +110,8 @@ Checked<Response> evaluation_csv(Service& service, const Request& request) {
 }
 
 Checked<Response> evaluation_svg(Service& service, const Request& request) {
-    const auto asked = asked_evaluation(service, request);
+    ParameterReader reader(request.head);
+    const auto asked = asked_evaluation(service, request, reader);
     if (!asked) return tl::unexpected<Problem>(asked.error());
     const std::span<const index::Evaluation> one(asked->get(), 1);
     return conditional(request.head, answer("image/svg+xml", index::precision_recall_svg(one)));

@@ -50,6 +50,7 @@ std::optional<Problem> check_add_model(const Service& service, const RequestHead
 Checked<Response> add_model(Service& service, const Request& request);
 Checked<Response> change_model(Service& service, const Request& request);
 Checked<Response> remove_model(Service& service, const Request& request);
+Checked<Response> list_failures(Service& service, const Request& request);
 Checked<Response> get_job(Service& service, const Request& request);
 
 Checked<Response> live(Service& service, const Request& request);

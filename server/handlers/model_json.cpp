@@ -33,6 +33,9 @@ nlohmann::json model_json(const Service& service, const index::ModelRoots& roots
         json["links"]["file"] = base + "/file";
         json["links"]["stl"] = base + "/mesh.stl";
     }
+    if (!service.options.embedders.empty()) {
+        json["links"]["embed"] = "/embed.html#/models/" + std::to_string(model.id);
+    }
     return json;
 }
 

@@ -118,11 +118,12 @@ Checked<Response> list_models(Service& service, const Request& request) {
     if (!found) return fail(found.error());
     std::size_t first = std::min(list->offset, found->size());
     if (list->after) {
-        first = static_cast<std::size_t>(
-            std::partition_point(
-                found->begin(), found->end(),
-                [&](std::size_t at) { return (*snapshot)->id(at) <= *list->after; }) -
-            found->begin());
+        first = static_cast<std::size_t>(std::partition_point(found->begin(), found->end(),
+                                                              [&](std::size_t at) {
+                                                                  return (*snapshot)->id(at) <=
+                                                                         *list->after;
+                                                              }) -
+                                         found->begin());
     }
     const std::size_t end = std::min(first + list->limit, found->size());
     auto page = nlohmann::json::array();

@@ -42,7 +42,7 @@ Checked<Response> similar(Service& service, const Request& request) {
         json_answer(search_json(service, *result,
                                 {model->name, model->vertices, model->faces, model->frame},
                                 options.rank)),
-                       std::move(etag));
+        std::move(etag));
 }
 
 }  // namespace ossuary::server

@@ -33,16 +33,20 @@ async function violations(page: Page): Promise<string[]> {
     });
 }
 
-describe.each(['light', 'dark'] as const)('axe-core finds nothing, %s,', (colorScheme) => {
-    describe.each([390, 1440])('at %d px,', (width) => {
-        it.each(kStateNames)('in %s', async (name) => {
-            const { hash, prepare, reach } = pageStates(visits.collection.models)[name] as State;
-            const viewport = { width, height: width < 1000 ? 844 : 900 };
-            const page = await visits.come({ viewport, colorScheme, bypassCSP: true });
-            await prepare?.(page);
-            await page.goto(`${visits.collection.origin}/${hash}`);
-            await reach(page);
-            expect(await violations(page)).toEqual([]);
-        });
+describe.each([390, 1440])('axe-core finds nothing at %d px, light and dark,', (width) => {
+    it.each(kStateNames)('in %s', async (name) => {
+        const { hash, prepare, reach } = pageStates(visits.collection.models)[name] as State;
+        const viewport = { width, height: width < 1000 ? 844 : 900 };
+        const page = await visits.come({ viewport, colorScheme: 'light', bypassCSP: true });
+        await prepare?.(page);
+        await page.goto(`${visits.collection.origin}/${hash}`);
+        await reach(page);
+        const found: Record<string, string[]> = {};
+        // The style sheet alone tells them apart: one visit shows both.
+        for (const colorScheme of ['light', 'dark'] as const) {
+            await page.emulateMedia({ colorScheme });
+            found[colorScheme] = await violations(page);
+        }
+        expect(found).toEqual({ light: [], dark: [] });
     });
 });

@@ -452,7 +452,7 @@ describe('without a mouse', () => {
         const before = await pictureOf(canvas);
         await page.keyboard.press('ArrowRight');
         expect(await changedPixels(before, await pictureOf(canvas), page)).toBeGreaterThan(0);
-        await tabTo(page, '.match-table tbody tr');
+        await tabTo(page, '.match-table tbody button');
         await page.locator('.match-table tr.chosen').waitFor();
         await page.keyboard.press('Escape');
         await page.locator('dialog').waitFor({ state: 'detached' });

@@ -112,6 +112,8 @@ export function writeModels(folder: string): WrittenModels {
     }
     writeFileSync(written.classes, lines.join('\n'));
     const query = off(quadruped(2.5, 1.6));
+    // One that cannot be indexed, and says so to whoever keeps the collection.
+    writeFileSync(join(written.folder, 'broken.off'), 'OFF\n3 1 0\n0 0 0\n');
     writeFileSync(written.query, query);
     writeFileSync(written.painted, off(quadruped(2.5, 1.6), '255 0 0'));
     writeFileSync(written.truncated, query.slice(0, Math.floor(0.6 * query.length)));

@@ -5,6 +5,7 @@ import type { Page } from 'playwright-core';
 import { answerWithLongWords, answerWithProblem } from './long_words';
 import { kClasses, kModelsPerClass, type WrittenModels } from './models';
 import { untilDrawn } from './pictures';
+import { kAdminKey } from './server';
 
 const kModels = kClasses.length * kModelsPerClass;
 
@@ -37,6 +38,18 @@ async function openOptions(page: Page): Promise<void> {
         await options.locator('> summary').click();
     }
     await page.locator('.search-form').waitFor();
+}
+
+const speakGerman = (page: Page): Promise<unknown> =>
+    page.addInitScript(() => localStorage.setItem('ossuary.language', 'de'));
+
+/** Where something is confused. */
+async function openConfusion(page: Page): Promise<void> {
+    const cell = page.locator('.cell-button').first();
+    if ((await cell.count()) > 0) {
+        await cell.click();
+        await page.locator('.confused ul, .confused p:not(.working)').first().waitFor();
+    }
 }
 
 /** Never answers: what is shown meanwhile stays. */
@@ -197,6 +210,72 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
             hash: `#/models/${kModels}/parts`,
             prepare: (page) => answerWithProblem(page, '**/rig.glb', 'segments_not_available'),
             reach: seen('dialog .notice-problem'),
+        },
+        'the comparison, one laid over the other': {
+            hash: `#/models/${kModels}/hits/1`,
+            reach: async (page) => {
+                await seen('.match-table')(page);
+                await page.getByLabel('Overlay', { exact: true }).check();
+                await untilDrawn(page.locator('.overlay canvas'));
+            },
+        },
+        'a closer look with all that can be set': {
+            hash: `#/models/${kModels}/look`,
+            reach: async (page) => {
+                await untilDrawn(page.locator('dialog .pane-canvas'));
+                await page.locator('.look-more summary').click();
+                await page.getByLabel('Measure', { exact: true }).check();
+                await page.locator('.look-panel input').last().waitFor();
+            },
+        },
+        'a closer look at long names': {
+            hash: `#/models/${kModels}/look`,
+            prepare: answerWithLongWords,
+            reach: seen('.branch-table tbody tr'),
+        },
+        'a model within another page': {
+            hash: 'embed.html#/models/1',
+            reach: (page) => untilDrawn(page.locator('.pane-canvas')),
+        },
+        'the start page with models selected': {
+            hash: '#/',
+            reach: async (page) => {
+                await page.locator('.card-check input').first().check();
+                await page.locator('.card-check input').nth(1).check();
+                await seen('.selection-bar a')(page);
+            },
+        },
+        'the start page in German': {
+            hash: '#/',
+            prepare: speakGerman,
+            reach: seen('.collection .card-link'),
+        },
+        'hits in German': {
+            hash: `#/models/${kModels}`,
+            prepare: speakGerman,
+            reach: async (page) => {
+                await seen('.hit-card')(page);
+                await openOptions(page);
+            },
+        },
+        'the way to what needs the key': { hash: '#/manage', reach: seen('input[name=key]') },
+        'the collection in the hands of who has the key': {
+            hash: '#/manage',
+            prepare: (page) =>
+                page.addInitScript((key) => {
+                    sessionStorage.setItem('ossuary.admin-key', key);
+                    const chosen = { id: 1, name: '1', path: '1.off', class: null };
+                    sessionStorage.setItem('ossuary.selection', JSON.stringify([chosen]));
+                }, kAdminKey),
+            reach: seen('.failures'),
+        },
+        'the reports, query by query': {
+            hash: '#/reports',
+            reach: async (page) => {
+                await page.getByText('Query by query').click();
+                await seen('.query-comparison tbody tr')(page);
+                await openConfusion(page);
+            },
         },
         'the reports': { hash: '#/reports', reach: seen('.metrics-table tbody tr:nth-child(3)') },
         'the reports of long classes': {

@@ -50,8 +50,7 @@ const std::array kCodecs{
     Codec{kStatisticsBlob,
           [](std::string_view b) { check(b, decode_statistics, encode_statistics); }},
     Codec{kEvaluationBlob, [](std::string_view b) { check(b, decode_report, encode_report); }},
-    Codec{kScanBlob,
-          [](std::string_view b) { check(b, decode_scan_block, encode_scan_block); }},
+    Codec{kScanBlob, [](std::string_view b) { check(b, decode_scan_block, encode_scan_block); }},
 };
 
 }  // namespace

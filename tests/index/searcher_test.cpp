@@ -259,6 +259,30 @@ TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
     EXPECT_TRUE(to_json(*meshes, ranking::RankOptions{})["a"].contains("name"));
 }
 
+TEST_F(SearcherTest, EvaluatesASampleWhichIsTheSameEachTime) {
+    Searcher searcher = open();
+    const auto snapshot = *searcher.snapshot();
+    const auto whole = *evaluate(*snapshot);
+    EvaluateOptions options;
+    options.sample = 4;
+    const auto some = evaluate(*snapshot, options);
+    ASSERT_TRUE(some) << some.error().message;
+    EXPECT_EQ(some->queries, 9U);
+    ASSERT_EQ(some->report.per_query.size(), 4U);
+    EXPECT_EQ(some->distances.size, 0U);
+    const auto again = *evaluate(*snapshot, options);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const ranking::QueryMetrics& query = some->report.per_query[i];
+        EXPECT_EQ(again.report.per_query[i].model, query.model);
+        // Each searches in the whole collection, as in an evaluation of all.
+        EXPECT_NEAR(query.metrics.dcg, whole.report.per_query[query.model].metrics.dcg, 1e-9);
+    }
+    for (const std::size_t enough : {9U, 10U}) {
+        options.sample = enough;
+        EXPECT_EQ(evaluate(*snapshot, options)->distances.size, 9U);
+    }
+}
+
 TEST_F(SearcherTest, EvaluatesTheClassesOfTheIndex) {
     Searcher searcher = open();
     const auto snapshot = *searcher.snapshot();

@@ -381,8 +381,7 @@ TEST_F(StoreTest, SnapshotsShareWhatHasNotChanged) {
         const auto row = second->preselection().row(static_cast<std::uint32_t>(i));
         const auto same = fresh->preselection().row(static_cast<std::uint32_t>(i));
         EXPECT_EQ(row.key, same.key);
-        EXPECT_TRUE(std::equal(row.signature.begin(), row.signature.end(),
-                               same.signature.begin()));
+        EXPECT_TRUE(std::equal(row.signature.begin(), row.signature.end(), same.signature.begin()));
     }
     EXPECT_EQ(first->size(), 2 * kScanBlockModels) << "the earlier one stays as it was";
     EXPECT_EQ(first->find(201), 200U);

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "server/application.h"
 #include "server/auth.h"
+#include "server/options.h"
 #include "server/router.h"
 #include "tests/index/sample_index.h"
 #include "tests/server/test_server.h"
@@ -225,6 +227,71 @@ TEST_F(Application, TurnsModels) {
     EXPECT_EQ(server.code(patch("/v1/models/5?up=w", bearer(kKey)), 400), "parameter_invalid");
     EXPECT_EQ(server.code(patch("/v1/models/99?up=z", bearer(kKey)), 404), "model_not_found");
     EXPECT_EQ(server.code(patch("/v1/models/5?up=z", ""), 401), "admin_key_missing");
+}
+
+TEST_F(Application, ChangesTheClassOfModels) {
+    const TestServer server(index_, with_key());
+    const auto patch = [](const std::string& target) {
+        return test::request("PATCH", target, bearer(kKey));
+    };
+    const RawAnswer changed = server.ask(patch("/v1/models/5?class=old%20oak"));
+    ASSERT_EQ(changed.status, 200) << changed.body;
+    EXPECT_EQ(nlohmann::json::parse(changed.body)["class"], "old oak");
+    EXPECT_EQ(server.json(get("/v1/models?class=old%20oak"))["total"], 1);
+    EXPECT_EQ(server.ask(patch("/v1/models/5?class=")).status, 200);
+    EXPECT_TRUE(server.json(get("/v1/models/5"))["class"].is_null());
+    EXPECT_EQ(server.code(patch("/v1/models/99?class=x"), 404), "model_not_found");
+    EXPECT_EQ(server.code(test::request("PATCH", "/v1/models/5?class=x"), 401),
+              "admin_key_missing");
+}
+
+TEST_F(Application, TellsAdministratorsWhatCouldNotBeIndexed) {
+    index_model(index_, "knot", "OFF\n3 1 0\n0 0 0\n");
+    const TestServer server(index_, with_key());
+    EXPECT_EQ(server.code(get("/v1/failures"), 401), "admin_key_missing");
+    const RawAnswer answer = server.ask(get("/v1/failures", bearer(kKey)));
+    ASSERT_EQ(answer.status, 200) << answer.body;
+    const auto failures = nlohmann::json::parse(answer.body)["failures"];
+    ASSERT_EQ(failures.size(), 1u);
+    EXPECT_EQ(failures[0]["code"], "off_truncated");
+    EXPECT_EQ(failures[0]["path"], "knot.off");
+    EXPECT_EQ(answer.body.find(folder_.path().string()), std::string::npos) << answer.body;
+}
+
+TEST_F(Application, LetsOnlyNamedPagesShowModelsInAFrame) {
+    write_file(folder_.path() / "web/embed.html", "<!doctype html>");
+    const TestServer closed(index_, with_gallery());
+    EXPECT_EQ(closed.ask(get("/embed.html")).header("X-Frame-Options"), "DENY");
+    EXPECT_FALSE(closed.json(get("/v1/models/1"))["links"].contains("embed"));
+    const TestServer open(index_, [&](server::ServerOptions& options) {
+        with_gallery()(options);
+        options.embedders = {"https://shop.example", "http://127.0.0.1:9000"};
+    });
+    const RawAnswer frame = open.ask(get("/embed.html"));
+    EXPECT_EQ(frame.count("X-Frame-Options"), 0u);
+    EXPECT_NE(frame.header("Content-Security-Policy")
+                  .find("frame-ancestors https://shop.example http://127.0.0.1:9000"),
+              std::string::npos);
+    // The gallery itself stays out of frames.
+    EXPECT_EQ(open.ask(get("/")).header("X-Frame-Options"), "DENY");
+    EXPECT_NE(open.ask(get("/")).header("Content-Security-Policy").find("frame-ancestors 'none'"),
+              std::string::npos);
+    EXPECT_EQ(open.json(get("/v1/models/1"))["links"]["embed"], "/embed.html#/models/1");
+}
+
+TEST(ServerOptions, TakeOnlyOriginsForThoseWhoMayEmbed) {
+    const auto allows = [](const char* origin) {
+        const std::array arguments = {"ossuary-server", "--index", "x", "--allow-embedding",
+                                      origin};
+        return server::parse_options(static_cast<int>(arguments.size()), arguments.data()).run;
+    };
+    for (const char* origin : {"https://a.example", "http://localhost:8000", "*"}) {
+        EXPECT_TRUE(allows(origin)) << origin;
+    }
+    for (const char* origin :
+         {"https://a.example; script-src *", "a.example", "https://", "'self'"}) {
+        EXPECT_FALSE(allows(origin)) << origin;
+    }
 }
 
 TEST_F(Application, RefusesToQueueWhatCannotBeRead) {

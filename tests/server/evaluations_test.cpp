@@ -43,6 +43,18 @@ protected:
     }
 };
 
+TEST_F(EvaluationsTest, ComparesNoMorePairsThanAtTheLimitButAHundredQueries) {
+    server::Evaluations evaluations(
+        [](const index::Snapshot&, const index::EvaluateOptions&) -> Result<index::Evaluation> {
+            return {ErrorCode::kInternal, "not asked"};
+        },
+        {.models = 1500}, log_);
+    EXPECT_EQ(evaluations.sample_of(1500), 1500U);
+    EXPECT_EQ(evaluations.sample_of(2000), 1125U);
+    EXPECT_EQ(evaluations.sample_of(20000), 112U);
+    EXPECT_EQ(evaluations.sample_of(1000000), 100U);
+}
+
 TEST_F(EvaluationsTest, EvaluatesOnceAndKeepsIt) {
     Evaluations evaluations(compute([](int, const auto&) {}), {}, log_);
     const auto first = evaluations.get(snapshot(), {}, {});

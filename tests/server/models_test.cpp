@@ -233,11 +233,31 @@ TEST_F(Models, EvaluatesTheCollectionOnceAndServesItInThreeForms) {
     EXPECT_EQ(server_.code(get("/v1/evaluations/hybrid.pdf"), 400), "parameter_invalid");
 }
 
-TEST_F(Models, EvaluatesNoCollectionThatIsTooLarge) {
-    const TestServer small(index_,
-                           [](server::ServerOptions& options) { options.evaluation_models = 5; });
-    EXPECT_EQ(small.code(get("/v1/evaluations/hybrid"), 404), "evaluation_not_found");
-    EXPECT_TRUE(small.json(get("/v1/evaluations"))["evaluations"].empty());
+TEST_F(Models, TellsTheMeasuresOfEachQueryAndWhereTheyWouldLieForOthers) {
+    const auto json = server_.json(get("/v1/evaluations/hybrid?include=queries"));
+    ASSERT_EQ(json["queries"].size(), 6u);
+    double sum = 0.0;
+    for (const auto& query : json["queries"]) {
+        const auto model =
+            server_.json(get("/v1/models/" + std::to_string(query["model"].get<int>())));
+        EXPECT_EQ(query["name"], model["name"]);
+        EXPECT_EQ(query["class"], model["class"]);
+        sum += query["dcg"].get<double>();
+    }
+    EXPECT_NEAR(json["dcg"].get<double>(), sum / 6.0, 1e-12);
+    EXPECT_LE(json["intervals"]["dcg"]["low"], json["dcg"]);
+    EXPECT_GE(json["intervals"]["dcg"]["high"], json["dcg"]);
+    EXPECT_EQ(json["queries_total"], 6);
+    EXPECT_FALSE(server_.json(get("/v1/evaluations/hybrid")).contains("queries"));
+    EXPECT_EQ(server_.code(get("/v1/evaluations/hybrid?include=all"), 400), "parameter_invalid");
+}
+
+TEST_F(Models, LooksOnlyAmongTheFilesThatAreAskedFor) {
+    const auto all = server_.json(get("/v1/models/1/similar?limit=10"))["hits"];
+    EXPECT_EQ(server_.json(get("/v1/models/1/similar?limit=10&kind=off"))["hits"].size(),
+              all.size());
+    EXPECT_TRUE(server_.json(get("/v1/models/1/similar?kind=stl"))["hits"].empty());
+    EXPECT_TRUE(server_.json(get("/v1/models/1/similar?folder=elsewhere"))["hits"].empty());
 }
 
 }  // namespace

@@ -7,13 +7,16 @@ import { uploadTray } from './gallery/upload_tray';
 import type { Context, Page } from './page/context';
 import { element, replace } from './page/element';
 import { header } from './page/header';
-import { KnownClasses } from './page/known_classes';
+import { KnownFacets } from './page/known_facets';
 import { laterPage } from './page/later_page';
+import { formatPlural } from './page/format';
 import { emptyNotice } from './page/problem_notice';
 import { Recent } from './page/recent';
 import { formatRoute, kHome, parseRoute, type Route, resultsOf } from './page/routes';
+import { Selection } from './page/selection';
 import { type Upload, Uploads } from './page/uploads';
 import { Visits } from './page/visits';
+import { say } from './words/say';
 
 export interface AppOptions {
     client: Client;
@@ -28,13 +31,13 @@ function missingPage(): Page {
         node: element(
             'div',
             { class: 'page' },
-            element('h1', { class: 'visually-hidden' }, 'Not found'),
+            element('h1', { class: 'visually-hidden' }, say('Not found')),
             emptyNotice(
-                'There is no such page.',
-                element('a', { href: formatRoute(kHome) }, 'Go to the start page'),
+                say('There is no such page.'),
+                element('a', { href: formatRoute(kHome) }, say('Go to the start page')),
             ),
         ),
-        title: 'Not found',
+        title: say('Not found'),
         ready: Promise.resolve(),
         update: () => false,
         dispose: () => {},
@@ -51,7 +54,7 @@ function build(route: Route, context: Context): Page {
         case 'results':
             return laterPage({
                 route,
-                title: 'Results',
+                title: say('Results'),
                 load: async () => {
                     const { resultsPage } = await resultsCode();
                     return (to) => resultsPage(to, context);
@@ -60,10 +63,19 @@ function build(route: Route, context: Context): Page {
         case 'reports':
             return laterPage({
                 route,
-                title: 'Reports',
+                title: say('Reports'),
                 load: async () => {
                     const { reportsPage } = await import('./reports/reports_page');
                     return () => reportsPage(context);
+                },
+            });
+        case 'manage':
+            return laterPage({
+                route,
+                title: say('Manage'),
+                load: async () => {
+                    const { managePage } = await import('./manage/manage_page');
+                    return () => managePage(context);
                 },
             });
         case 'missing':
@@ -89,8 +101,9 @@ class App {
         this.onShow_ = onShow;
         this.context = {
             client,
-            classes: new KnownClasses(client),
+            facets: new KnownFacets(client),
             uploads: new Uploads(client),
+            selection: new Selection(),
             answers: new Recent(kAnswers, kAnswersMs),
             parameters: kSearchDefaults,
             navigate: (route) => this.navigate(route),
@@ -188,7 +201,9 @@ class App {
 
     private showUpload({ name, token, answer }: Upload): void {
         const hits = answer?.result.hits.length ?? 0;
-        this.context.announce(`${hits} hits for ${name}`);
+        this.context.announce(
+            say('{hits} for {name}', { hits: formatPlural(hits, 'hit', 'hits'), name }),
+        );
         this.navigate(
             resultsOf(
                 token === null ? { kind: 'upload' } : { kind: 'query', token },
@@ -211,22 +226,37 @@ function requestIdle(work: () => void): void {
 export function startApp(root: HTMLElement, options: Partial<AppOptions> = {}): () => void {
     const { client } = { client: createClient(), ...options };
     const take = (files: File[]): void => app.context.uploads.take(files, app.context.parameters);
-    const chooser = fileChooser({ label: 'Search with a file', onFiles: take });
+    const chooser = fileChooser({ label: say('Search with a file'), onFiles: take });
     const top = header(chooser.node);
     const app = new App(client, (route) => top.show(route));
     const tray = uploadTray(app.context);
+    // What cards can do besides leading somewhere is there soon after them.
+    const extras = element('div', {});
+    let endExtras: () => void = () => {};
+    let over = false;
+    const addExtras = async (): Promise<void> => {
+        const { cardExtras } = await import('./gallery/card_extras');
+        if (!over) {
+            endExtras = cardExtras(app.context, { cards: app.main, place: extras });
+        }
+    };
     const target = dropTarget({ onFiles: take, onProblem: (error) => tray.complain(error) });
-    const skip = element('button', { class: 'skip', type: 'button' }, 'Skip to the content');
+    const skip = element('button', { class: 'skip', type: 'button' }, say('Skip to the content'));
     skip.addEventListener('click', () => app.main.focus());
-    replace(root, skip, top.node, tray.node, app.main, target.node, app.status);
+    replace(root, skip, top.node, tray.node, app.main, extras, target.node, app.status);
     addEventListener('hashchange', app.follow);
     app.show();
     // Most visits lead there; should it fail now, it is asked for again.
-    requestIdle(() => void resultsCode().catch(() => {}));
+    requestIdle(() => {
+        void resultsCode().catch(() => {});
+        void addExtras().catch(() => {});
+    });
     return () => {
         removeEventListener('hashchange', app.follow);
         target.dispose();
         tray.dispose();
+        over = true;
+        endExtras();
         app.dispose();
         root.replaceChildren();
     };

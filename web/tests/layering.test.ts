@@ -1,9 +1,13 @@
 import { describe, expect, it } from 'vitest';
 
 /** The folders of src/ in the order in which one may use another: each those above it. */
-const kLayers = ['api', 'page', 'viewer', 'gallery', 'reports', ''] as const;
+const kLayers = ['words', 'api', 'page', 'viewer', 'gallery', 'reports', 'manage', ''] as const;
 /** Side by side: neither knows of the other. */
-const kApart: readonly (readonly [string, string])[] = [['gallery', 'reports']];
+const kApart: readonly (readonly [string, string])[] = [
+    ['gallery', 'reports'],
+    ['gallery', 'manage'],
+    ['reports', 'manage'],
+];
 
 const kSources = import.meta.glob<string>('../src/**/*.ts', {
     query: '?raw',

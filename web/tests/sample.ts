@@ -5,8 +5,9 @@ import type { ModelSummary, PreviewMesh } from '../src/api/elements';
 import { kSearchDefaults } from '../src/api/search_parameters';
 import type { Evaluation, Facets, Hit, SearchResult, Skeleton, Vector } from '../src/api/types';
 import type { Context } from '../src/page/context';
-import { KnownClasses } from '../src/page/known_classes';
+import { KnownFacets } from '../src/page/known_facets';
 import { Recent } from '../src/page/recent';
+import { Selection } from '../src/page/selection';
 import { Uploads } from '../src/page/uploads';
 
 /** Small answers in the server's shapes, for tests that are not about their contents. */
@@ -148,6 +149,15 @@ export function evaluation(fields: Partial<Evaluation> = {}): Evaluation {
         ...kFigures,
         models: 40,
         classes: 2,
+        queries_total: 4,
+        intervals: {
+            nearest_neighbor: { low: 0.4, high: 0.6 },
+            first_tier: { low: 0.4, high: 0.6 },
+            second_tier: { low: 0.4, high: 0.6 },
+            e_measure: { low: 0.4, high: 0.6 },
+            dcg: { low: 0.4, high: 0.6 },
+            mean_average_precision: { low: 0.4, high: 0.6 },
+        },
         ranker: 'hybrid',
         rerank: false,
         precision_recall: [
@@ -180,6 +190,7 @@ export function clientWith(methods: Partial<Client>): Client {
     return {
         search: refuse,
         similar: refuse,
+        compare: refuse,
         models: refuse,
         facets: async () => kNoFacets,
         model: refuse,
@@ -188,6 +199,7 @@ export function clientWith(methods: Partial<Client>): Client {
         segments: refuse,
         rig: refuse,
         evaluation: refuse,
+        evaluatedQueries: refuse,
         ...methods,
     };
 }
@@ -205,8 +217,9 @@ export function contextWith(methods: Partial<Client>): RecordedContext {
     const client = clientWith(methods);
     return {
         client,
-        classes: new KnownClasses(client),
+        facets: new KnownFacets(client),
         uploads: new Uploads(client),
+        selection: new Selection(),
         answers: new Recent(3, 60_000),
         parameters: kSearchDefaults,
         navigate: (route) => void visited.push(route),

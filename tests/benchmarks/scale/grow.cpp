@@ -231,9 +231,9 @@ void grow(const std::filesystem::path& from, const std::filesystem::path& out, s
         std::vector<index::Change> changes(size);
         parallel_for(size, 0, [&](std::size_t i) {
             const std::size_t number = first + i;
-            changes[i] = index::PutModel{number < families.size()
-                                             ? families[number].model
-                                             : descendant(families, number, seed)};
+            changes[i] =
+                index::PutModel{number < families.size() ? families[number].model
+                                                         : descendant(families, number, seed)};
         });
         unwrap(store.apply(changes));
         if (first / kModelsPerTransaction % 40 == 0) {

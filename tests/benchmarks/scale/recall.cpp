@@ -112,8 +112,8 @@ void print_curve(const char* stage, const std::vector<Query>& queries,
     }
 }
 
-std::vector<RankedModel> by_signature(const ranking::Preselection& preselection,
-                                      const Query& query, std::size_t width) {
+std::vector<RankedModel> by_signature(const ranking::Preselection& preselection, const Query& query,
+                                      std::size_t width) {
     std::vector<RankedModel> models;
     for (const std::uint32_t index : preselection.nearest(query.model->signature, width)) {
         models.push_back({index, 0.0});
@@ -153,8 +153,7 @@ void run(const char* path, std::size_t count, int jobs) {
     const auto widths = ranking::with_widths({}, snapshot->size());
     const auto& preselection = snapshot->preselection();
     std::cout << fmt::format("{} models, {} queries\n", snapshot->size(), count);
-    print_curve("signature", queries,
-                {500, 1000, 2000, 4000, 8000, 16000, 32000, 64000},
+    print_curve("signature", queries, {500, 1000, 2000, 4000, 8000, 16000, 32000, 64000},
                 [&](const Query& query, std::size_t width) {
                     return by_signature(preselection, query, width);
                 });

@@ -1,7 +1,8 @@
 // Different shapes by the thousand, for large collections: models that are read from files, and
 // built ones, are stretched, bent, twisted and tapered, and every third is united with another that
 // is treated likewise. The same for the same seed and files.
-//   ossuary_scale_shapes OUT COUNT SEED FOLDER…   writes OUT/NNN/shape-NNNNNN.off, and OUT/shapes.cla
+//   ossuary_scale_shapes OUT COUNT SEED FOLDER…   writes OUT/NNN/shape-NNNNNN.off, and
+//   OUT/shapes.cla
 // with a class for each original.
 #include <fmt/format.h>
 
@@ -86,8 +87,8 @@ mesh::TriangleMesh deformed(const mesh::TriangleMesh& original, std::mt19937_64&
             const double radius = 1.0 / bend;
             const double angle = bend * at.z();
             const double from_centre = radius - at.x();
-            at = Vec3(radius - from_centre * std::cos(angle), at.y(),
-                      from_centre * std::sin(angle));
+            at =
+                Vec3(radius - from_centre * std::cos(angle), at.y(), from_centre * std::sin(angle));
         }
         vertex = frame.transpose() * at;
     }
@@ -108,9 +109,9 @@ Shape make_shape(const std::vector<Original>& originals, std::uint64_t seed) {
     const std::size_t second = test::next_below(random, originals.size());
     const mesh::TriangleMesh other = deformed(originals[second].mesh, random);
     const std::size_t at = test::next_below(random, shape.mesh.vertices.size());
-    shape.mesh = test::merged(
-        shape.mesh, test::transformed(other, Mat3::Identity() * between(random, 0.3, 0.8),
-                                      shape.mesh.vertices[at]));
+    shape.mesh = test::merged(shape.mesh,
+                              test::transformed(other, Mat3::Identity() * between(random, 0.3, 0.8),
+                                                shape.mesh.vertices[at]));
     return shape;
 }
 

@@ -64,7 +64,12 @@ private:
 
 /// Stages so narrow that a small collection goes through all of them.
 NearestOptions narrow() {
-    return {.count = 2, .spare = 0, .exhaustive_below = 10, .by_signature = 30, .by_sketch = 25, .by_globals = 20};
+    return {.count = 2,
+            .spare = 0,
+            .exhaustive_below = 10,
+            .by_signature = 30,
+            .by_sketch = 25,
+            .by_globals = 20};
 }
 
 TEST_F(PreselectionTest, ScansToTheNearestSignatures) {
@@ -94,8 +99,7 @@ TEST_F(PreselectionTest, GivesTheDistancesOfTheFullSearch) {
         const RankOptions options{.ranker = ranker};
         for (const descriptor::ModelDescriptor* query : {all[5], &stranger}) {
             const auto exact = *rank_distances(*query, all, statistics, options);
-            const auto found =
-                *scanned.nearest(*query, statistics, options, narrow());
+            const auto found = *scanned.nearest(*query, statistics, options, narrow());
             ASSERT_EQ(found.size(), 2U);
             for (const RankedModel& model : found) {
                 EXPECT_EQ(model.distance, exact[model.index]) << to_string(ranker);
@@ -119,8 +123,7 @@ TEST_F(PreselectionTest, TakesOnlyWhatItIsToldAtTheSameDistances) {
             const auto exact = *rank_distances(*all[4], all, statistics, options);
             NearestOptions nearest = narrow();
             nearest.among = odd;
-            const auto found =
-                *scanned.nearest(*all[4], statistics, options, nearest);
+            const auto found = *scanned.nearest(*all[4], statistics, options, nearest);
             ASSERT_EQ(found.size(), 2U);
             for (const RankedModel& model : found) {
                 EXPECT_EQ(model.index % 2, 1U);
@@ -130,8 +133,7 @@ TEST_F(PreselectionTest, TakesOnlyWhatItIsToldAtTheSameDistances) {
             for (const std::uint32_t i : odd) least = std::min(least, exact[i]);
             EXPECT_EQ(found[0].distance, least) << to_string(ranker);
             nearest.among = std::span<const std::uint32_t>();
-            EXPECT_TRUE(
-                scanned.nearest(*all[4], statistics, options, nearest)->empty());
+            EXPECT_TRUE(scanned.nearest(*all[4], statistics, options, nearest)->empty());
         }
     }
 }
@@ -158,8 +160,7 @@ TEST_F(PreselectionTest, MissesNothingInASmallCollection) {
     for (const bool rerank : {false, true}) {
         const RankOptions options{.rerank = rerank};
         const auto distances = *rank_distances(*all[9], all, statistics, options);
-        const auto found =
-            *scanned.nearest(*all[9], statistics, options, {.count = all.size()});
+        const auto found = *scanned.nearest(*all[9], statistics, options, {.count = all.size()});
         ASSERT_EQ(found.size(), all.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             EXPECT_EQ(found[i].distance, distances[found[i].index]);
@@ -174,11 +175,9 @@ TEST_F(PreselectionTest, GivesTheSameForEveryNumberOfJobs) {
     const CollectionStatistics statistics = *collection_statistics(all);
     for (const bool rerank : {false, true}) {
         RankOptions options{.rerank = rerank};
-        const auto one =
-            *scanned.nearest(*all[17], statistics, options, narrow());
+        const auto one = *scanned.nearest(*all[17], statistics, options, narrow());
         options.jobs = 3;
-        const auto three =
-            *scanned.nearest(*all[17], statistics, options, narrow());
+        const auto three = *scanned.nearest(*all[17], statistics, options, narrow());
         EXPECT_EQ(indices(one), indices(three));
         EXPECT_EQ(one.front().index, 17U);
     }

@@ -1,5 +1,5 @@
-#include "engine/ranking/explain.h"
 #include "engine/ranking/ranker.h"
+#include "engine/ranking/explain.h"
 
 #include <gtest/gtest.h>
 
@@ -238,7 +238,8 @@ TEST_F(Ranker, ExplainsTheDistanceThatItRanksBy) {
     for (const RankerKind ranker : kAllRankers) {
         const RankOptions options{.ranker = ranker};
         const auto distances = *rank_distances(*all[2], all, statistics, options);
-        const matching::Match match = *explain(*all[2], *all[7], Normalization(statistics), options);
+        const matching::Match match =
+            *explain(*all[2], *all[7], Normalization(statistics), options);
         EXPECT_EQ(match.distance, distances[7]) << to_string(ranker);
         EXPECT_FALSE(match.parts.empty());
         if (ranker != RankerKind::kChainCode) {
@@ -248,8 +249,8 @@ TEST_F(Ranker, ExplainsTheDistanceThatItRanksBy) {
                 sum += part.value;
             }
             EXPECT_NEAR(sum, match.distance, 1e-12);
-            const matching::Match plain =
-                *explain(*all[2], *all[7], Normalization(statistics), {.ranker = RankerKind::kSkeleton});
+            const matching::Match plain = *explain(*all[2], *all[7], Normalization(statistics),
+                                                   {.ranker = RankerKind::kSkeleton});
             EXPECT_EQ(match.correspondence.nodes.size(), plain.correspondence.nodes.size());
         }
     }
@@ -292,7 +293,8 @@ TEST_F(Ranker, IsSymmetricBitByBitAndExplainsItselfWherePoseDecides) {
             for (std::size_t j = 0; j < models.size(); ++j) {
                 EXPECT_EQ(matrix.at(i, j), matrix.at(j, i));
                 EXPECT_EQ(matrix.at(i, j), static_cast<float>(row[j]));
-                const matching::Match match = *explain(models[i], models[j], Normalization(statistics), options);
+                const matching::Match match =
+                    *explain(models[i], models[j], Normalization(statistics), options);
                 EXPECT_NEAR(match.distance, row[j], 1e-9);
                 double sum = 0.0;
                 for (const matching::DistancePart& part : match.parts) sum += part.value;

@@ -38,6 +38,43 @@ DistanceMatrix small_matrix() {
 }
 const std::vector<std::string> kSmallLabels = {"a", "a", "a", "b", "b"};
 
+std::vector<QueryDistances> rows_of(const DistanceMatrix& matrix,
+                                    const std::vector<std::size_t>& queries) {
+    std::vector<QueryDistances> rows;
+    for (const std::size_t query : queries) {
+        QueryDistances row{query, {}};
+        for (std::size_t j = 0; j < matrix.size; ++j) row.distances.push_back(matrix.at(query, j));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+TEST(RetrievalMetrics, AreTheSameRowByRow) {
+    const std::vector<std::size_t> queries = retrieval_queries(kSmallLabels);
+    EXPECT_EQ(queries, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+    const RetrievalReport whole = evaluate_retrieval(small_matrix(), kSmallLabels);
+    const RetrievalReport rows = evaluate_queries(rows_of(small_matrix(), queries), kSmallLabels);
+    EXPECT_EQ(rows.models, whole.models);
+    EXPECT_EQ(rows.mean.dcg, whole.mean.dcg);
+    EXPECT_EQ(rows.macro_mean.mean_average_precision, whole.macro_mean.mean_average_precision);
+    EXPECT_EQ(rows.confusion, whole.confusion);
+}
+
+TEST(RetrievalMetrics, OfSomeQueriesAreTheMeansOfThese) {
+    const RetrievalReport whole = evaluate_retrieval(small_matrix(), kSmallLabels);
+    const RetrievalReport some = evaluate_queries(rows_of(small_matrix(), {0, 1}), kSmallLabels);
+    EXPECT_EQ(some.models, 2U);
+    ASSERT_EQ(some.classes, 1U);
+    EXPECT_EQ(some.per_class[0].name, "a");
+    EXPECT_EQ(some.per_class[0].models, 3U);
+    const auto of = [&](std::size_t query) {
+        return whole.per_query[query].metrics.mean_average_precision;
+    };
+    EXPECT_DOUBLE_EQ(some.mean.mean_average_precision, (of(0) + of(1)) / 2.0);
+    EXPECT_DOUBLE_EQ(some.per_class[0].metrics.mean_average_precision, (of(0) + of(1)) / 2.0);
+    EXPECT_EQ(evaluate_queries({}, kSmallLabels).models, 0U);
+}
+
 TEST(RetrievalMetrics, AgreeWithACaseWorkedOutByHand) {
     const RetrievalReport report = evaluate_retrieval(small_matrix(), kSmallLabels);
     ASSERT_EQ(report.models, 5U);

@@ -140,7 +140,8 @@ TEST_F(Stop, EndsARankingAndANearestSearch) {
             [&](const std::stop_token& stop) {
                 options.stop = stop;
                 const NearestOptions narrow{.count = 1000, .exhaustive_below = 0, .by_globals = 10};
-                return code_of(nearest_models(query(), source, preselection, Normalization(), options, narrow));
+                return code_of(nearest_models(query(), source, preselection, Normalization(),
+                                              options, narrow));
             },
             name(options) + " nearest");
     }

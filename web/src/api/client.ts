@@ -1,10 +1,13 @@
 import type { ModelSummary, PreviewMesh } from './elements';
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
-import { encodeSearch, type SearchParameters } from './search_parameters';
+import { encodeComparison, encodeSearch, type SearchParameters } from './search_parameters';
+import { type SentForm, sendForm } from './send_form';
 import type {
+    Comparison,
     Evaluation,
     Facets,
     ModelPage,
+    QueryMetrics,
     Ranker,
     SearchResult,
     Segments,
@@ -15,11 +18,14 @@ export interface ClientOptions {
     /** Before every path; empty: the page's own origin. */
     base: string;
     fetch: typeof fetch;
+    /** How files are sent. */
+    send: (form: SentForm) => Promise<Response>;
 }
 
 const kDefaults: ClientOptions = {
     base: '',
     fetch: (input, init) => globalThis.fetch(input, init),
+    send: sendForm,
 };
 
 export const kModelOrders = ['name', 'newest', 'faces', 'branches'] as const;
@@ -49,12 +55,25 @@ export type HeldModel = { kind: 'model'; id: number } | { kind: 'query'; token: 
 
 export interface Client {
     /** The answer holds the query's preview mesh, so that it can be drawn at once. */
-    search(file: File, parameters: SearchParameters, signal?: AbortSignal): Promise<SearchResult>;
+    search(
+        file: File,
+        parameters: SearchParameters,
+        signal?: AbortSignal,
+        /** Told the share of the file that is on its way. */
+        onSent?: (share: number) => void,
+    ): Promise<SearchResult>;
     similar(
         model: HeldModel,
         parameters: SearchParameters,
         signal?: AbortSignal,
     ): Promise<SearchResult>;
+    /** The distance of two models of the collection, and what matches what. */
+    compare(
+        a: number,
+        b: number,
+        parameters: SearchParameters,
+        signal?: AbortSignal,
+    ): Promise<Comparison>;
     models(filter: ModelFilter, stretch: Stretch, signal?: AbortSignal): Promise<ModelPage>;
     facets(filter: ModelFilter, signal?: AbortSignal): Promise<Facets>;
     model(id: number, signal?: AbortSignal): Promise<ModelSummary>;
@@ -64,6 +83,8 @@ export interface Client {
     /** The preview mesh as binary glTF, a primitive for each part, skinned by the skeleton. */
     rig(model: HeldModel, signal?: AbortSignal): Promise<ArrayBuffer>;
     evaluation(ranker: Ranker, signal?: AbortSignal): Promise<Evaluation>;
+    /** The measures of each query of it. */
+    evaluatedQueries(ranker: Ranker, signal?: AbortSignal): Promise<QueryMetrics[]>;
 }
 
 /** Where the server has what it holds of a model. */
@@ -107,7 +128,7 @@ async function bodyOf(response: Response): Promise<unknown> {
 
 /** Every failure but an abort is an {@link ApiError}. */
 export function createClient(options: Partial<ClientOptions> = {}): Client {
-    const { base, fetch } = { ...kDefaults, ...options };
+    const { base, fetch, send: sendFile } = { ...kDefaults, ...options };
 
     async function send(path: string, type: string, init: RequestInit): Promise<Response> {
         try {
@@ -126,7 +147,10 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
     }
 
     async function request<T>(path: string, init: RequestInit): Promise<T> {
-        const response = await send(path, 'application/json', init);
+        return answered(await send(path, 'application/json', init));
+    }
+
+    async function answered<T>(response: Response): Promise<T> {
         const body = await bodyOf(response);
         if (!response.ok || typeof body !== 'object' || body === null) {
             throw refusal(response, body);
@@ -151,19 +175,25 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
     }
 
     return {
-        search(file, parameters, signal) {
+        async search(file, parameters, signal, onSent = () => {}) {
             const query = encodeSearch(parameters);
             query.set('include', 'mesh');
             const body = new FormData();
             body.append('model', file, file.name);
-            return request(`/v1/search?${query}`, {
-                method: 'POST',
+            const response = await sendFile({
+                path: `${base}/v1/search?${query}`,
+                headers: { Accept: 'application/json, application/problem+json' },
                 body,
+                onSent,
                 ...(signal ? { signal } : {}),
             });
+            return answered<SearchResult>(response);
         },
         similar(model, parameters, signal) {
             return get(`${pathOf(model)}/similar?${encodeSearch(parameters)}`, signal);
+        },
+        compare(a, b, parameters, signal) {
+            return get(`/v1/compare?${encodeComparison(a, b, parameters)}`, signal);
         },
         models: (filter, stretch, signal) =>
             get(`/v1/models?${encodeList(filter, stretch)}`, signal),
@@ -175,5 +205,9 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
         rig: (model, signal) =>
             file(`${pathOf(model)}/rig.glb`, 'model/gltf-binary', signal ? { signal } : {}),
         evaluation: (ranker, signal) => get(evaluationPath(ranker), signal),
+        async evaluatedQueries(ranker, signal) {
+            const path = `${evaluationPath(ranker)}?include=queries`;
+            return (await get<Evaluation>(path, signal)).queries ?? [];
+        },
     };
 }

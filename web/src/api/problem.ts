@@ -1,4 +1,5 @@
 import type { Problem } from './types';
+import { say } from '../words/say';
 
 /** What the page knows of a request that failed; its own failures have codes of their own. */
 export type KnownProblem = Pick<Problem, 'title' | 'status' | 'detail'> & {
@@ -40,7 +41,7 @@ export function problemFrom(status: number, body: unknown, requestId?: string): 
     const fields = isRecord(body) ? body : {};
     const id = text(fields.request_id) || requestId;
     return {
-        title: text(fields.title) || `The server answered with status ${status}`,
+        title: text(fields.title) || say('The server answered with status {status}', { status }),
         status,
         detail: text(fields.detail),
         code: text(fields.code) || 'unexpected_answer',
@@ -51,9 +52,9 @@ export function problemFrom(status: number, body: unknown, requestId?: string): 
 /** `fetch` rejects without saying more where no answer came at all. */
 export function unreachable(): ApiError {
     return new ApiError({
-        title: 'The server cannot be reached',
+        title: say('The server cannot be reached'),
         status: 0,
-        detail: 'The connection was refused or closed before an answer arrived.',
+        detail: say('The connection was refused or closed before an answer arrived.'),
         code: 'unreachable',
     });
 }
@@ -61,9 +62,12 @@ export function unreachable(): ApiError {
 /** What stands on this side of the connection: the browser cannot read a file that was given to it. */
 export function localFileFault(name: string): ApiError {
     return new ApiError({
-        title: 'The file cannot be read',
+        title: say('The file cannot be read'),
         status: 0,
-        detail: `${name}: the browser could not read it. It may have been moved, changed or removed since it was chosen.`,
+        detail: say(
+            '{name}: the browser could not read it. It may have been moved, changed or removed since it was chosen.',
+            { name },
+        ),
         code: 'local_file',
     });
 }

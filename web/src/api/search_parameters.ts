@@ -16,6 +16,10 @@ export interface SearchParameters {
     limit: number;
     /** Empty: all classes. */
     className: string;
+    /** Below the folder that was indexed; empty: all. */
+    folder: string;
+    /** The ending of the model's file, in small letters; empty: any. */
+    kind: string;
 }
 
 export const kSearchDefaults: Readonly<SearchParameters> = {
@@ -27,9 +31,17 @@ export const kSearchDefaults: Readonly<SearchParameters> = {
     fold: true,
     limit: 24,
     className: '',
+    folder: '',
+    kind: '',
 };
 
+const kMostHits = 1000;
 export const kLimits: readonly number[] = [12, 24, 48, 96];
+
+/** The number of hits after this one; null: there is none. */
+export function nextLimit(limit: number): number | null {
+    return limit < kMostHits ? Math.min(kMostHits, Math.max(kLimits[0] ?? 1, 2 * limit)) : null;
+}
 
 function isRanker(value: string | null): value is Ranker {
     return value !== null && (kRankers as readonly string[]).includes(value);
@@ -42,7 +54,9 @@ function parsePose(value: string | null): number {
 
 function parseLimit(value: string | null): number {
     const limit = Number(value);
-    return Number.isInteger(limit) && limit >= 1 && limit <= 1000 ? limit : kSearchDefaults.limit;
+    return Number.isInteger(limit) && limit >= 1 && limit <= kMostHits
+        ? limit
+        : kSearchDefaults.limit;
 }
 
 /** Everything spelled out: what the request carries. */
@@ -59,8 +73,30 @@ export function encodeSearch(parameters: SearchParameters): URLSearchParams {
     if (parameters.size > 0) {
         query.set('size', String(parameters.size));
     }
-    if (parameters.className !== '') {
-        query.set('class', parameters.className);
+    const { className, folder, kind } = parameters;
+    for (const [name, value] of Object.entries({ class: className, folder, kind })) {
+        if (value !== '') {
+            query.set(name, value);
+        }
+    }
+    return query;
+}
+
+/** What of them two models are compared by. */
+export function encodeComparison(
+    a: number,
+    b: number,
+    { ranker, pose, size, part }: SearchParameters,
+): URLSearchParams {
+    const query = new URLSearchParams({
+        a: String(a),
+        b: String(b),
+        ranker,
+        pose: String(pose),
+        part: String(part),
+    });
+    if (size > 0) {
+        query.set('size', String(size));
     }
     return query;
 }
@@ -88,5 +124,7 @@ export function decodeSearch(query: URLSearchParams): SearchParameters {
         fold: query.get('fold') !== 'false',
         limit: parseLimit(query.get('limit')),
         className: query.get('class') ?? '',
+        folder: query.get('folder') ?? '',
+        kind: query.get('kind') ?? '',
     };
 }

@@ -247,8 +247,9 @@ export interface paths {
         options?: never;
         head?: never;
         /**
-         * Say which axis of a model points up
-         * @description The model's picture is drawn anew from its preview mesh; nothing that is searched changes.
+         * Change a model's class, or say which axis of it points up
+         * @description One of the parameters at least. For `up` the model's picture is drawn anew from its preview mesh; nothing that
+         *     is searched changes.
          */
         patch: operations["changeModel"];
         trace?: never;
@@ -488,9 +489,10 @@ export interface paths {
         /**
          * Retrieval quality of one ranker over the collection's classes
          * @description Leave-one-out over the models whose class has at least two members, as in the Princeton Shape
-         *     Benchmark. Computed on the first request and kept until the collection changes. There is none
-         *     (404 `evaluation_not_found`) where fewer than two classes have two models, or where the
-         *     collection is too large for the server to compute it; `ossuary evaluate` can.
+         *     Benchmark. Computed on the first request and kept until the collection changes. Of large
+         *     collections (`--max-evaluation-models`) a sample of the models, always the same one, searches in
+         *     all of them: `models` is then less than `queries_total`, and `intervals` say how well it tells.
+         *     There is none (404 `evaluation_not_found`) where fewer than two classes have two models.
          */
         get: operations["getEvaluation"];
         put?: never;
@@ -537,6 +539,26 @@ export interface paths {
         };
         /** The precision-recall curve as a picture */
         get: operations["getEvaluationPlot"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/v1/failures": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Files that could not be indexed
+         * @description Each with the stable code of what was wrong with it when it was last tried.
+         */
+        get: operations["listFailures"];
         put?: never;
         post?: never;
         delete?: never;
@@ -731,6 +753,8 @@ export interface components {
                 file?: string;
                 /** @description Likewise. */
                 stl?: string;
+                /** @description Shows the model within pages that may (`--allow-embedding`). */
+                embed?: string;
             };
         };
         FacetValues: {
@@ -963,9 +987,44 @@ export interface components {
             dcg: number;
             mean_average_precision: number;
         };
+        Interval: {
+            low: number;
+            high: number;
+        };
+        QueryMetrics: components["schemas"]["Metrics"] & {
+            model: components["schemas"]["Id"];
+            name: string;
+            class: string;
+        };
+        FailureList: {
+            failures: {
+                path: components["schemas"]["Path"];
+                content_hash: string | null;
+                /** @description Stable. */
+                code: string;
+                message: string;
+                /** Format: date-time */
+                failed_at: string;
+            }[];
+        };
         Evaluation: components["schemas"]["Metrics"] & {
+            /** @description That were searched with. */
             models: number;
+            /** @description That they are of. */
             classes: number;
+            /** @description Models that could be searched with; more than `models` where a sample was. */
+            queries_total: number;
+            /** @description Where each measure would lie for other queries of the same kind, 95 times in 100 (bootstrap over queries). */
+            intervals: {
+                nearest_neighbor: components["schemas"]["Interval"];
+                first_tier: components["schemas"]["Interval"];
+                second_tier: components["schemas"]["Interval"];
+                e_measure: components["schemas"]["Interval"];
+                dcg: components["schemas"]["Interval"];
+                mean_average_precision: components["schemas"]["Interval"];
+            };
+            /** @description With `include=queries` only. */
+            queries?: components["schemas"]["QueryMetrics"][];
             ranker: components["schemas"]["Ranker"];
             rerank: boolean;
             pose?: number;
@@ -1263,6 +1322,9 @@ export type SearchResult = components['schemas']['SearchResult'];
 export type Comparison = components['schemas']['Comparison'];
 export type EvaluationList = components['schemas']['EvaluationList'];
 export type Metrics = components['schemas']['Metrics'];
+export type Interval = components['schemas']['Interval'];
+export type QueryMetrics = components['schemas']['QueryMetrics'];
+export type FailureList = components['schemas']['FailureList'];
 export type Evaluation = components['schemas']['Evaluation'];
 export type Job = components['schemas']['Job'];
 export type Health = components['schemas']['Health'];
@@ -1315,6 +1377,10 @@ export interface operations {
                 size?: components["parameters"]["Size"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
+                /** @description Only models whose `path` lies in this folder or further down. */
+                folder?: components["parameters"]["Folder"];
+                /** @description Only models of files with this ending, in small letters. */
+                kind?: components["parameters"]["Kind"];
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
@@ -1407,6 +1473,10 @@ export interface operations {
                 size?: components["parameters"]["Size"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
+                /** @description Only models whose `path` lies in this folder or further down. */
+                folder?: components["parameters"]["Folder"];
+                /** @description Only models of files with this ending, in small letters. */
+                kind?: components["parameters"]["Kind"];
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
@@ -1779,9 +1849,11 @@ export interface operations {
     };
     changeModel: {
         parameters: {
-            query: {
+            query?: {
+                /** @description Its new class; empty for none. */
+                class?: string;
                 /** @description The axis, or `auto` for what its file says or else its shape suggests. */
-                up: "x" | "y" | "z" | "auto";
+                up?: "x" | "y" | "z" | "auto";
             };
             header?: never;
             path: {
@@ -1822,6 +1894,10 @@ export interface operations {
                 size?: components["parameters"]["Size"];
                 /** @description Only models of this class. */
                 class?: components["parameters"]["Class"];
+                /** @description Only models whose `path` lies in this folder or further down. */
+                folder?: components["parameters"]["Folder"];
+                /** @description Only models of files with this ending, in small letters. */
+                kind?: components["parameters"]["Kind"];
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
@@ -2139,6 +2215,8 @@ export interface operations {
             query?: {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
+                /** @description `queries` adds the measures of each query. */
+                include?: "queries";
             };
             header?: never;
             path: {
@@ -2224,6 +2302,31 @@ export interface operations {
             304: components["responses"]["NotModified"];
             400: components["responses"]["BadRequest"];
             404: components["responses"]["NotFound"];
+            503: components["responses"]["Unavailable"];
+        };
+    };
+    listFailures: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The failures, by path. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["FailureList"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["Forbidden"];
             503: components["responses"]["Unavailable"];
         };
     };

@@ -1,6 +1,7 @@
 import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
+import { say } from '../words/say';
 
 /** Where to search from a hit: by its build alone, by its pose alone. */
 export interface LikeHit {
@@ -16,7 +17,12 @@ function bar(label: string, difference: number): HTMLElement {
     const spoken = `${label} ${formatDistance(difference)}`;
     return element(
         'span',
-        { class: 'difference', title: `${spoken} (0: the same, 1: as two models usually are)` },
+        {
+            class: 'difference',
+            title: say('{difference} (0: the same, 1: as two models usually are)', {
+                difference: spoken,
+            }),
+        },
         element('span', { class: 'difference-label' }, label),
         element(
             'span',
@@ -34,19 +40,27 @@ export function differenceBars(hit: Hit): HTMLElement | null {
     return element(
         'span',
         { class: 'differences' },
-        bar('Build', hit.build_difference),
-        bar('Pose', hit.pose_difference),
+        bar(say('Build'), hit.build_difference),
+        bar(say('Pose'), hit.pose_difference),
     );
 }
 
 /** Searches from a hit by either of the two alone. */
 export function likeHitLinks(hit: Hit, { build, pose }: LikeHit): HTMLElement {
     const link = (href: string, text: string): HTMLElement =>
-        element('a', { class: 'like-link', href, 'aria-label': `${text} as ${hit.name}` }, text);
+        element(
+            'a',
+            {
+                class: 'like-link',
+                href,
+                'aria-label': say('{kind} as {name}', { kind: text, name: hit.name }),
+            },
+            text,
+        );
     return element(
         'span',
         { class: 'like-links' },
-        link(build, 'Same build'),
-        link(pose, 'Same pose'),
+        link(build, say('Same build')),
+        link(pose, say('Same pose')),
     );
 }

@@ -10,6 +10,7 @@ import { modelCard } from './model_card';
 import { kPageSize, ModelPages } from './model_pages';
 import { skeletonCards } from './thumbnail';
 import { VirtualGrid } from './virtual_grid';
+import { say } from '../words/say';
 
 export interface Collection {
     node: HTMLElement;
@@ -29,14 +30,14 @@ function isAll(filter: ModelFilter): boolean {
 function nothingThere(filter: ModelFilter): HTMLElement {
     return isAll(filter)
         ? emptyNotice(
-              'The collection is empty.',
-              'Add models with ',
+              say('The collection is empty.'),
+              say('Add models by this command, then reload this page:'),
+              ' ',
               element('code', {}, 'ossuary index --index FILE FOLDER'),
-              ' and reload this page.',
           )
         : emptyNotice(
-              'No model fits these filters.',
-              element('a', { href: formatRoute(kHome) }, 'Show all models'),
+              say('No model fits these filters.'),
+              element('a', { href: formatRoute(kHome) }, say('Show all models')),
           );
 }
 
@@ -64,8 +65,8 @@ class ModelCollection implements Collection {
         this.at_ = route.at;
         this.fields_ = new CollectionFilters(this.listing_, (listing) => this.edit(listing));
         this.grid_ = new VirtualGrid({
-            label: 'Models of the collection',
-            card: modelCard,
+            label: say('Models of the collection'),
+            card: (model) => modelCard(model, context.selection),
             onMove: (first) => this.move(first),
         });
         this.node = element(
@@ -74,7 +75,7 @@ class ModelCollection implements Collection {
             element(
                 'div',
                 { class: 'section-head' },
-                element('h2', { id: 'collection-title' }, 'Collection ', this.count_),
+                element('h2', { id: 'collection-title' }, say('Collection'), ' ', this.count_),
                 this.fields_.node,
             ),
             this.empty_,
@@ -146,7 +147,9 @@ class ModelCollection implements Collection {
             this.grid_.scrollTo(Math.min(at, pages.total));
         }
         this.context_.announce(
-            `${formatPlural(pages.total, 'model')} in the collection fit the filters`,
+            say('{models} in the collection fit the filters', {
+                models: formatPlural(pages.total, 'model', 'models'),
+            }),
         );
     }
 

@@ -2,6 +2,7 @@ import { type ModelFilter, type ModelOrder, kModelOrders } from '../api/client';
 import type { Facets } from '../api/types';
 import { element } from '../page/element';
 import { facetField } from './facet_field';
+import { type Text, say } from '../words/say';
 
 export interface Listing {
     filter: ModelFilter;
@@ -19,7 +20,7 @@ export function sameListing(a: Listing, b: Listing): boolean {
 
 const kTypingPauseMs = 120;
 
-const kOrderNames: Record<ModelOrder, string> = {
+const kOrderNames: Record<ModelOrder, Text> = {
     name: 'Name',
     newest: 'Newest first',
     faces: 'Most faces',
@@ -42,17 +43,17 @@ export class CollectionFilters {
         type: 'search',
         class: 'input',
         name: 'name',
-        placeholder: 'Name contains…',
+        placeholder: say('Name contains…'),
         autocomplete: 'off',
         maxlength: 256,
     });
-    private readonly class_ = facetField('Class', 'class', 'All classes');
-    private readonly folder_ = facetField('Folder', 'folder', 'All folders');
-    private readonly kind_ = facetField('Kind of file', 'kind', 'All kinds');
+    private readonly class_ = facetField(say('Class'), 'class', say('All classes'));
+    private readonly folder_ = facetField(say('Folder'), 'folder', say('All folders'));
+    private readonly kind_ = facetField(say('Kind of file'), 'kind', say('All kinds'));
     private readonly sort_ = element(
         'select',
         { class: 'input', name: 'sort' },
-        kModelOrders.map((order) => element('option', { value: order }, kOrderNames[order])),
+        kModelOrders.map((order) => element('option', { value: order }, say(kOrderNames[order]))),
     );
     private pause_: ReturnType<typeof setTimeout> | undefined;
     private facets_: Facets | null = null;
@@ -76,14 +77,14 @@ export class CollectionFilters {
             {
                 class: 'filters',
                 role: 'search',
-                'aria-label': 'Filter the collection',
+                'aria-label': say('Filter the collection'),
                 submit: (event: Event) => event.preventDefault(),
             },
-            labelled('Name', this.name_),
+            labelled(say('Name'), this.name_),
             this.class_.node,
             this.folder_.node,
             this.kind_.node,
-            labelled('Order', this.sort_),
+            labelled(say('Order'), this.sort_),
         );
     }
 

@@ -5,6 +5,8 @@ import { codePart } from '../page/code_part';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
 import { formatRoute, resultsOf } from '../page/routes';
+import { say } from '../words/say';
+import { branchFile } from './part_query';
 import { partsList } from './parts_list';
 import type { Nearness } from './nearness';
 import { placeLine } from './place_line';
@@ -19,9 +21,12 @@ export interface ComparisonOptions {
     hit: Hit;
     nearness: Nearness | null;
     partsHref: string;
+    lookHref: string;
     /** To the hit one rank better; null: there is none. */
     onPrevious: (() => void) | null;
     onNext: (() => void) | null;
+    /** Searches for models that have what a file holds. */
+    onFind: (part: File) => void;
     onClose: () => void;
 }
 
@@ -49,14 +54,25 @@ function step(onStep: (() => void) | null, { id, label, sign }: Step): HTMLEleme
 
 /** Query and hit side by side. */
 export function comparisonDialog(options: ComparisonOptions, client: Client): ViewerDialog {
-    const { query, queryMesh, queryUp, hit, nearness, partsHref, onPrevious, onNext, onClose } =
-        options;
+    const {
+        query,
+        queryMesh,
+        queryUp,
+        hit,
+        nearness,
+        partsHref,
+        lookHref,
+        onPrevious,
+        onNext,
+        onFind,
+        onClose,
+    } = options;
     const model = { kind: 'model', id: hit.id } as const;
     return viewerDialog({
         keys: { ArrowLeft: onPrevious, ArrowRight: onNext },
         title: [
             element('span', {}, query.name),
-            element('span', { class: 'versus', 'aria-label': 'and' }, '↔'),
+            element('span', { class: 'versus', 'aria-label': say('and') }, '↔'),
             element('span', {}, hit.name),
             hit.class && element('span', { class: 'tag' }, hit.class),
             placeLine(hit.path),
@@ -65,19 +81,21 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
             element(
                 'span',
                 { class: 'distance-figure' },
-                nearness && element('b', {}, nearness),
-                nearness ? ' · distance ' : 'distance ',
+                nearness && [element('b', {}, say(nearness)), ' · '],
+                say('distance'),
+                ' ',
                 element('b', { class: 'number' }, formatDistance(hit.distance)),
             ),
             element(
                 'a',
                 { class: 'button', href: formatRoute(resultsOf(model)) },
-                'Find more like it',
+                say('Find more like it'),
             ),
-            element('a', { class: 'button', href: partsHref }, 'Its parts'),
+            element('a', { class: 'button', href: lookHref }, say('Look closer')),
+            element('a', { class: 'button', href: partsHref }, say('Its parts')),
             takeAway({ model, name: hit.name, path: hit.path }, client),
-            step(onPrevious, { id: 'better-hit', label: 'Better hit', sign: '←' }),
-            step(onNext, { id: 'next-hit', label: 'Next hit', sign: '→' }),
+            step(onPrevious, { id: 'better-hit', label: say('Better hit'), sign: '←' }),
+            step(onNext, { id: 'next-hit', label: say('Next hit'), sign: '→' }),
         ],
         async load(signal) {
             const [{ comparison }, mesh, skeleton, { up, unit }] = await Promise.all([
@@ -96,6 +114,8 @@ export function comparisonDialog(options: ComparisonOptions, client: Client): Vi
                 },
                 hit: { name: hit.name, mesh, skeleton, up, unit },
                 match: hit.match,
+                onFind: (branch) =>
+                    onFind(branchFile(say('{name}, branch', { name: query.name }), branch)),
                 note: element(
                     'div',
                     { class: 'note' },

@@ -1,5 +1,6 @@
 import { element } from '../page/element';
 import { formatDistance, formatName } from '../page/format';
+import { say, sayName } from '../words/say';
 
 /** The parts that rankers name, in the order in which they are shown, each with its colour. */
 const kColors: Readonly<Record<string, number>> = {
@@ -78,7 +79,9 @@ export function partsBar(
     length: number,
 ): HTMLElement {
     const shares = partShares(parts, names);
-    const spoken = shares.map(({ name, value }) => `${formatName(name)} ${formatDistance(value)}`);
+    const spoken = shares.map(
+        ({ name, value }) => `${sayName(formatName(name))} ${formatDistance(value)}`,
+    );
     return element(
         'span',
         {
@@ -104,13 +107,13 @@ export function partsLegend(names: readonly string[]): HTMLElement | null {
         ? null
         : element(
               'ul',
-              { class: 'legend', 'aria-label': 'Parts of the distance' },
+              { class: 'legend', 'aria-label': say('Parts of the distance') },
               names.map((name) =>
                   element(
                       'li',
                       {},
                       element('span', { class: `swatch ${partClass(name)}` }),
-                      formatName(name),
+                      sayName(formatName(name)),
                   ),
               ),
           );

@@ -1,5 +1,6 @@
 import { element } from '../page/element';
 import { filesOf } from './dropped_files';
+import { say } from '../words/say';
 
 export interface DropTargetOptions {
     onFiles: (files: File[]) => void;
@@ -23,7 +24,7 @@ export function dropTarget({ onFiles, onProblem }: DropTargetOptions): DropTarge
     const node = element(
         'div',
         { class: 'drop-veil', popover: 'manual', 'aria-hidden': 'true' },
-        element('p', {}, 'Drop to search with it'),
+        element('p', {}, say('Drop to search with it')),
     );
     let over = false;
     const veil = (on: boolean): void => {

@@ -1,7 +1,8 @@
 import { element, svg } from '../page/element';
 import { fileChooser } from './file_chooser';
+import { type Text, say } from '../words/say';
 
-const kHint =
+const kHint: Text =
     'OFF, STL, OBJ, PLY, 3MF, glTF, COLLADA, FBX, STEP …, points (XYZ) or a volume, packed or not; several at once, or a folder. Nothing is stored on a disk.';
 
 function picture(): SVGElement {
@@ -30,7 +31,7 @@ function picture(): SVGElement {
 /** Says that files can be dropped, and asks for some; drops are taken wherever they fall. */
 export function dropZone(onFiles: (files: File[]) => void): HTMLElement {
     const chooser = fileChooser({
-        label: 'Choose a model',
+        label: say('Choose a model'),
         className: 'button-primary',
         onFiles,
     });
@@ -38,8 +39,8 @@ export function dropZone(onFiles: (files: File[]) => void): HTMLElement {
         'div',
         { class: 'drop-zone' },
         picture(),
-        element('p', { class: 'drop-title' }, 'Drop a 3D model here'),
+        element('p', { class: 'drop-title' }, say('Drop a 3D model here')),
         chooser.node,
-        element('p', { class: 'fine' }, kHint),
+        element('p', { class: 'fine' }, say(kHint)),
     );
 }

@@ -1,5 +1,6 @@
 import { ApiError, localFileFault } from '../api/problem';
 import { isModelName } from './model_endings';
+import { say } from '../words/say';
 
 /** More than this are more than anyone means to search with at once. */
 export const kMostFiles = 50;
@@ -44,9 +45,9 @@ async function collect(folder: FileSystemDirectoryEntry, found: File[]): Promise
 
 function noModels(folder: string): ApiError {
     return new ApiError({
-        title: 'No models in the folder',
+        title: say('No models in the folder'),
         status: 0,
-        detail: `${folder}: no file in it, or further down, is named like a model.`,
+        detail: say('{folder}: no file in it, or further down, is named like a model.', { folder }),
         code: 'local_folder',
     });
 }

@@ -1,6 +1,6 @@
 import { element, replace } from '../page/element';
 import { formatCount } from '../page/format';
-import type { FacetValues } from '../page/known_classes';
+import type { FacetValues } from '../page/known_facets';
 
 export interface FacetField {
     node: HTMLElement;

@@ -1,5 +1,6 @@
 import { element } from '../page/element';
 import { kAccepted } from './model_endings';
+import { say } from '../words/say';
 
 export interface FileChooserOptions {
     label: string;
@@ -18,7 +19,7 @@ export function fileChooser(options: Partial<FileChooserOptions>): { node: HTMLE
         multiple: true,
         hidden: true,
         accept: kAccepted,
-        'aria-label': 'Model files',
+        'aria-label': say('Model files'),
     });
     input.addEventListener('change', () => {
         const files = [...(input.files ?? [])];

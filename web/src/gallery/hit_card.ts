@@ -1,11 +1,14 @@
 import type { Hit } from '../api/types';
 import { element } from '../page/element';
 import { formatCount, formatDistance, formatPlural } from '../page/format';
+import type { Selection } from '../page/selection';
 import { differenceBars, type LikeHit, likeHitLinks } from './build_and_pose';
 import { partsBar } from './distance_parts';
 import { kNearnessMeanings, kUsualDistance, type Nearness } from './nearness';
 import { placeLine } from './place_line';
+import { selectCheck } from './select_check';
 import { thumbnail } from './thumbnail';
+import { say } from '../words/say';
 
 export interface HitCardOptions {
     /** Where the 3D comparison with the query is. */
@@ -14,6 +17,7 @@ export interface HitCardOptions {
     like: LikeHit;
     partNames: readonly string[];
     nearness: Nearness | null;
+    selection: Selection;
 }
 
 /** How many models this one stands for. */
@@ -22,7 +26,9 @@ function copiesOf({ copies }: Hit): HTMLElement {
         'span',
         {
             class: 'card-copies',
-            title: `${formatPlural(copies, 'copy', 'copies')} of it in the collection`,
+            title: say('{copies} of it in the collection', {
+                copies: formatPlural(copies, 'copy', 'copies'),
+            }),
         },
         ` ×${formatCount(copies + 1)}`,
     );
@@ -33,14 +39,14 @@ export function hitCard(hit: Hit, options: HitCardOptions): HTMLElement {
     const figure = formatDistance(hit.distance);
     return element(
         'li',
-        { class: 'card hit-card' },
+        { class: 'card hit-card', 'data-model': hit.id },
         element(
             'a',
             { class: 'card-link', href: options.href, 'data-hit': hit.id },
             element(
                 'span',
                 { class: 'card-rank' },
-                element('span', { class: 'visually-hidden' }, 'Rank '),
+                element('span', { class: 'visually-hidden' }, say('Rank'), ' '),
                 hit.rank,
             ),
             thumbnail(hit.thumbnail),
@@ -55,16 +61,17 @@ export function hitCard(hit: Hit, options: HitCardOptions): HTMLElement {
                     {
                         class: 'number',
                         title: nearness
-                            ? `Distance ${figure}. ${kNearnessMeanings[nearness]}`
-                            : 'Distance',
+                            ? `${say('Distance')} ${figure}. ${say(kNearnessMeanings[nearness])}`
+                            : say('Distance'),
                     },
-                    element('span', { class: 'visually-hidden' }, 'Distance '),
-                    nearness ?? figure,
+                    element('span', { class: 'visually-hidden' }, say('Distance'), ' '),
+                    nearness ? say(nearness) : figure,
                 ),
             ),
             partsBar(hit.parts, options.partNames, hit.distance / kUsualDistance),
             differenceBars(hit),
         ),
+        selectCheck(hit, options.selection),
         likeHitLinks(hit, options.like),
     );
 }

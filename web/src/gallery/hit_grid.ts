@@ -1,5 +1,7 @@
 import type { Hit, SearchResult } from '../api/types';
 import { element } from '../page/element';
+import type { Selection } from '../page/selection';
+import { say } from '../words/say';
 import type { LikeHit } from './build_and_pose';
 import { partNames, partsLegend } from './distance_parts';
 import { hitCard } from './hit_card';
@@ -10,19 +12,22 @@ function cutLine(): HTMLElement {
     return element(
         'li',
         { class: 'cut-line' },
-        element('span', {}, 'Further away than models of one kind usually are'),
+        element('span', {}, say('Further away than models of one kind usually are')),
     );
 }
 
-export interface HitLinks {
+export interface HitGridOptions {
     hrefOf: (hit: Hit) => string;
     likeOf: (hit: Hit) => LikeHit;
+    selection: Selection;
+    /** Asks for more hits; null: there are none. */
+    onMore: (() => void) | null;
 }
 
 /** All hits, best first, with what the colours of their bars mean. */
 export function hitGrid(
     { hits, ranker, part }: SearchResult,
-    { hrefOf, likeOf }: HitLinks,
+    { hrefOf, likeOf, selection, onMore }: HitGridOptions,
 ): HTMLElement {
     const names = partNames(hits);
     const nearness = hits.map((hit) => nearnessOf(hit.distance, { ranker, part }));
@@ -33,7 +38,7 @@ export function hitGrid(
         partsLegend(names),
         element(
             'ol',
-            { class: 'grid', 'aria-label': 'Hits, most similar first' },
+            { class: 'grid', 'aria-label': say('Hits, most similar first') },
             hits.map((hit, at) => [
                 at === cut && cutLine(),
                 hitCard(hit, {
@@ -41,8 +46,15 @@ export function hitGrid(
                     like: likeOf(hit),
                     partNames: names,
                     nearness: nearness[at] ?? null,
+                    selection,
                 }),
             ]),
         ),
+        onMore &&
+            element(
+                'button',
+                { type: 'button', class: 'button more-hits', click: onMore },
+                say('Show more hits'),
+            ),
     );
 }

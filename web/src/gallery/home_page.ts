@@ -4,10 +4,11 @@ import type { HomeRoute } from '../page/routes';
 import { collection } from './collection';
 import { dropZone } from './drop_zone';
 import { searchForm } from './search_form';
+import { say } from '../words/say';
 
 /** Where one starts: drop a model, or pick one of the collection. */
 export function homePage(route: HomeRoute, context: Context): Page {
-    const form = searchForm(context.classes, {
+    const form = searchForm(context.facets, {
         parameters: context.parameters,
         onChange: (parameters) => {
             context.parameters = parameters;
@@ -24,16 +25,18 @@ export function homePage(route: HomeRoute, context: Context): Page {
                 element(
                     'div',
                     { class: 'hero-text' },
-                    element('h1', {}, 'Find models that are built like this one.'),
+                    element('h1', {}, say('Find models that are built like this one.')),
                     element(
                         'p',
                         { class: 'lede' },
-                        'Each model is thinned to its skeleton. Two models are alike when their skeletons can be laid over each other, branch by branch.',
+                        say(
+                            'Each model is thinned to its skeleton. Two models are alike when their skeletons can be laid over each other, branch by branch.',
+                        ),
                     ),
                     element(
                         'details',
                         { class: 'options' },
-                        element('summary', {}, 'Search options'),
+                        element('summary', {}, say('Search options')),
                         form.node,
                     ),
                 ),
@@ -45,7 +48,7 @@ export function homePage(route: HomeRoute, context: Context): Page {
             ),
             models.node,
         ),
-        title: 'Search',
+        title: say('Search'),
         ready: models.ready,
         update(next) {
             if (next.page !== 'home') {

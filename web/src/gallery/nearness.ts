@@ -1,4 +1,5 @@
 import type { Ranker } from '../api/types';
+import type { Text } from '../words/say';
 
 /** How near a hit is, in a word. */
 export type Nearness = 'same' | 'very close' | 'related' | 'far';
@@ -46,7 +47,7 @@ export function nearnessOf(
     return distance <= related ? 'related' : 'far';
 }
 
-export const kNearnessMeanings: Record<Nearness, string> = {
+export const kNearnessMeanings: Record<Nearness, Text> = {
     same: 'The same shape.',
     'very close': 'Nearer than half of the pairs of one kind usually are.',
     related: 'As near as models of one kind usually are.',

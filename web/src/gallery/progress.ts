@@ -1,22 +1,31 @@
 import { element } from '../page/element';
 import { formatDuration } from '../page/format';
+import { say } from '../words/say';
 
 export interface ProgressOptions {
     message: string;
     onCancel: () => void;
 }
 
-const kDefaults: ProgressOptions = { message: 'Searching', onCancel: () => {} };
+const kDefaults: ProgressOptions = { message: '', onCancel: () => {} };
 const kTickMs = 100;
 
 export interface Progress {
     node: HTMLElement;
+    /** What is being done; with a share the bar says how much of it is. */
+    stage(message: string, share: number | null): void;
     dispose(): void;
 }
 
-/** A bar without an end, because the server does not say how far it is, and the time so far. */
+/** A bar and the time so far; without an end where nobody says how far it is. */
 export function progress(options: Partial<ProgressOptions> = {}): Progress {
     const { message, onCancel } = { ...kDefaults, ...options };
+    const said = element('span', {}, message);
+    const bar = element('div', {
+        class: 'progress-bar',
+        role: 'progressbar',
+        'aria-label': message,
+    });
     const elapsed = element('span', { class: 'number', 'aria-hidden': 'true' }, '0.0 s');
     const started = performance.now();
     const timer = setInterval(() => {
@@ -31,20 +40,26 @@ export function progress(options: Partial<ProgressOptions> = {}): Progress {
             element(
                 'div',
                 { class: 'progress-line' },
-                element('span', {}, message),
+                said,
                 elapsed,
                 element(
                     'button',
                     { type: 'button', class: 'button button-quiet', click: onCancel },
-                    'Cancel',
+                    say('Cancel'),
                 ),
             ),
-            element('div', {
-                class: 'progress-bar',
-                role: 'progressbar',
-                'aria-label': message,
-            }),
+            bar,
         ),
+        stage(text, share) {
+            said.textContent = text;
+            bar.classList.toggle('progress-known', share !== null);
+            if (share === null) {
+                bar.removeAttribute('aria-valuenow');
+            } else {
+                bar.setAttribute('aria-valuenow', String(Math.round(100 * share)));
+                bar.style.setProperty('--share', share.toFixed(3));
+            }
+        },
         dispose: () => clearInterval(timer),
     };
 }

@@ -2,6 +2,7 @@ import type { PreviewMesh, QueryModel, UpAxis } from '../api/elements';
 import { codePart } from '../page/code_part';
 import { element, replace } from '../page/element';
 import { formatCount, formatSize } from '../page/format';
+import { say } from '../words/say';
 import { problemNotice } from '../page/problem_notice';
 
 export interface QueryPanelOptions {
@@ -10,6 +11,7 @@ export interface QueryPanelOptions {
     up: UpAxis;
     /** Where the query's parts are shown; null: nowhere, since the server does not keep it. */
     partsHref: string | null;
+    lookHref: string;
     /** What of it can be saved; null: nothing. */
     takeAway: HTMLElement | null;
 }
@@ -23,13 +25,13 @@ export interface QueryPanel {
 
 function facts(query: QueryModel, mesh: PreviewMesh | null): HTMLElement {
     const rows: [string, string][] = [
-        ['Vertices', formatCount(query.vertices)],
-        ['Faces', formatCount(query.faces)],
-        ['Branches', formatCount(query.skeleton.branches.length)],
-        ['Nodes', formatCount(query.skeleton.nodes.length)],
+        [say('Vertices'), formatCount(query.vertices)],
+        [say('Faces'), formatCount(query.faces)],
+        [say('Branches'), formatCount(query.skeleton.branches.length)],
+        [say('Nodes'), formatCount(query.skeleton.nodes.length)],
     ];
     if (mesh) {
-        rows.push(['Size', formatSize(mesh.bounds, query.unit)]);
+        rows.push([say('Size'), formatSize(mesh.bounds, query.unit)]);
     }
     return element(
         'dl',
@@ -46,7 +48,11 @@ function warnings(query: QueryModel): HTMLElement | null {
         : element(
               'details',
               { class: 'warnings' },
-              element('summary', {}, `Notes on the mesh (${query.warnings.length})`),
+              element(
+                  'summary',
+                  {},
+                  say('Notes on the mesh ({count})', { count: query.warnings.length }),
+              ),
               element(
                   'ul',
                   {},
@@ -62,12 +68,14 @@ export function queryPanel(): QueryPanel {
     let pane: { dispose(): void } | null = null;
     let disposed = false;
     return {
-        node: element('section', { class: 'query', 'aria-label': 'The query' }, picture, text),
-        async show(query, { mesh, up, partsHref, takeAway }) {
+        node: element('section', { class: 'query', 'aria-label': say('The query') }, picture, text),
+        async show(query, { mesh, up, partsHref, lookHref, takeAway }) {
             const parts =
                 partsHref !== null &&
-                element('a', { class: 'button', href: partsHref }, 'Parts and pose');
-            replace(text, facts(query, mesh), parts, takeAway, warnings(query));
+                element('a', { class: 'button', href: partsHref }, say('Parts and pose'));
+            const look = element('a', { class: 'button', href: lookHref }, say('Look closer'));
+            const ways = element('div', { class: 'query-ways' }, look, parts);
+            replace(text, facts(query, mesh), ways, takeAway, warnings(query));
             try {
                 // three.js is fetched only where something is drawn with it.
                 const { queryView } = await codePart(() => import('../viewer/query_view'));

@@ -1,11 +1,12 @@
 import type { SearchParameters } from '../api/search_parameters';
 import type { Answer, Context } from '../page/context';
 import { element } from '../page/element';
-import { formatRoute, partsOf, resultsOf } from '../page/routes';
+import { formatRoute, lookAt, partsOf, resultsOf } from '../page/routes';
 import { queryPanel } from './query_panel';
 import { heldModel, type ResultsRoute, sameParameters } from './results_answer';
 import { type SearchForm, searchForm } from './search_form';
 import { takeAway } from './take_away';
+import { say } from '../words/say';
 
 /** The column beside the hits: the query and how to search for it. */
 export class QuerySide {
@@ -27,7 +28,7 @@ export class QuerySide {
             element(
                 'details',
                 { class: 'options', open: matchMedia('(min-width: 60rem)').matches },
-                element('summary', {}, 'Search options'),
+                element('summary', {}, say('Search options')),
                 this.form_.node,
             ),
         );
@@ -43,6 +44,7 @@ export class QuerySide {
                 mesh,
                 up,
                 partsHref: model && formatRoute(partsOf(model, this.route_.parameters)),
+                lookHref: formatRoute(lookAt(this.route_.query, this.route_.parameters)),
                 takeAway: model && takeAway({ model, name, path: '' }, this.context_.client),
             });
         }
@@ -66,7 +68,7 @@ export class QuerySide {
     }
 
     private makeForm(parameters: SearchParameters): SearchForm {
-        return searchForm(this.context_.classes, {
+        return searchForm(this.context_.facets, {
             parameters,
             // Each is a look at the same results: one step back leads away from them.
             onChange: (changed) => this.context_.replace(resultsOf(this.route_.query, changed)),

@@ -1,9 +1,12 @@
+import '../styles/results.css';
+import '../styles/dialog.css';
 import { isAbort } from '../api/problem';
+import { nextLimit } from '../api/search_parameters';
 import type { Answer, Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
 import { emptyNotice, problemNotice } from '../page/problem_notice';
-import { formatRoute, kHome, type Route, sameQuery } from '../page/routes';
+import { formatRoute, kHome, type Route, resultsOf, sameQuery } from '../page/routes';
 import { hitGrid } from './hit_grid';
 import { OverHits } from './over_hits';
 import { QuerySide } from './query_side';
@@ -11,23 +14,25 @@ import { ask, hrefOf, likeHit, type ResultsRoute, sameParameters } from './resul
 import { saveResults } from './save_results';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
+import { say } from '../words/say';
 
 function goneNotice(): HTMLElement {
     return emptyNotice(
-        'The uploaded model is gone.',
-        'The server keeps an upload for a quarter of an hour after it was last asked for. ',
-        element('a', { href: formatRoute(kHome) }, 'Choose a model again'),
+        say('The uploaded model is gone.'),
+        say('The server keeps an upload for a quarter of an hour after it was last asked for.'),
+        ' ',
+        element('a', { href: formatRoute(kHome) }, say('Choose a model again')),
     );
 }
 
 class ResultsPage implements Page {
     readonly node: HTMLElement;
-    readonly title = 'Results';
+    readonly title = say('Results');
     readonly ready: Promise<void>;
     private readonly context_: Context;
     private readonly side_: QuerySide;
     private readonly over_: OverHits;
-    private readonly head_ = element('h1', { class: 'results-title' }, 'Searching…');
+    private readonly head_ = element('h1', { class: 'results-title' }, say('Searching…'));
     private readonly timing_ = element('div', {});
     private readonly body_ = element('div', { class: 'results-body', 'aria-busy': 'true' });
     private route_: ResultsRoute;
@@ -57,7 +62,8 @@ class ResultsPage implements Page {
         if (next.page !== 'results' || !sameQuery(next.query, this.route_.query)) {
             return false;
         }
-        const asked = sameParameters(next.parameters, this.route_.parameters);
+        const before = this.route_.parameters;
+        const asked = sameParameters(next.parameters, before);
         this.route_ = next;
         this.side_.follow(next);
         if (asked) {
@@ -65,7 +71,9 @@ class ResultsPage implements Page {
             this.over_.show(next, this.answer_);
         } else {
             this.over_.close();
-            void this.load();
+            void this.load(
+                sameParameters(next.parameters, { ...before, limit: next.parameters.limit }),
+            );
         }
         return true;
     }
@@ -76,14 +84,23 @@ class ResultsPage implements Page {
         this.side_.dispose();
     }
 
-    private async load(): Promise<void> {
+    /** @param more whether the hits that are shown stay until there are more of them */
+    private async load(more = false): Promise<void> {
         this.running_.abort();
         this.running_ = new AbortController();
         const { signal } = this.running_;
         this.answer_ = null;
         // What the next file is searched with; what was looked for among these hits is not.
-        this.context_.parameters = { ...this.route_.parameters, className: '', part: false };
-        replace(this.body_, element('ul', { class: 'grid' }, skeletonCards(12)));
+        this.context_.parameters = {
+            ...this.route_.parameters,
+            className: '',
+            folder: '',
+            kind: '',
+            part: false,
+        };
+        if (!more) {
+            replace(this.body_, element('ul', { class: 'grid' }, skeletonCards(12)));
+        }
         this.body_.setAttribute('aria-busy', 'true');
         try {
             const found = await ask(this.route_, this.context_, signal);
@@ -92,12 +109,12 @@ class ResultsPage implements Page {
                 this.show(found);
                 return;
             }
-            this.head_.textContent = 'No query';
+            this.head_.textContent = say('No query');
             replace(this.body_, goneNotice());
             this.node.classList.add('results-without-query');
         } catch (error) {
             if (!isAbort(error)) {
-                this.head_.textContent = 'The search failed';
+                this.head_.textContent = say('The search failed');
                 const retry = (): void => void this.load();
                 replace(this.body_, problemNotice(error, { retry }));
             }
@@ -121,7 +138,7 @@ class ResultsPage implements Page {
     private show(answer: Answer): void {
         this.answer_ = answer;
         const { query, hits } = answer.result;
-        replace(this.head_, 'Models like ', element('em', {}, query.name));
+        replace(this.head_, say('Models like'), ' ', element('em', {}, query.name));
         replace(
             this.timing_,
             timingLine(answer.result),
@@ -133,18 +150,37 @@ class ResultsPage implements Page {
                 ? hitGrid(answer.result, {
                       hrefOf: (hit) => hrefOf(this.route_, hit),
                       likeOf: (hit) => likeHit(this.route_, hit),
+                      selection: this.context_.selection,
+                      onMore: this.more(hits.length),
                   })
-                : emptyNotice('No hits.', 'No other model of the collection fits the options.'),
+                : emptyNotice(
+                      say('No hits.'),
+                      say('No other model of the collection fits the options.'),
+                  ),
         );
-        this.context_.announce(`${formatPlural(hits.length, 'hit')} for ${query.name}`);
+        this.context_.announce(
+            say('{hits} for {name}', {
+                hits: formatPlural(hits.length, 'hit', 'hits'),
+                name: query.name,
+            }),
+        );
         this.side_.show(answer);
         this.entitle();
         this.over_.show(this.route_, answer);
     }
 
+    /** What shows more hits than are there; null where there are no more. */
+    private more(shown: number): (() => void) | null {
+        const { query, parameters } = this.route_;
+        const limit = nextLimit(parameters.limit);
+        return shown < parameters.limit || limit === null
+            ? null
+            : () => this.context_.replace(resultsOf(query, { ...parameters, limit }));
+    }
+
     private entitle(): void {
         if (this.answer_) {
-            this.context_.entitle(`Models like ${this.answer_.result.query.name}`);
+            this.context_.entitle(`${say('Models like')} ${this.answer_.result.query.name}`);
         }
     }
 }

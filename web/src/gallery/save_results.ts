@@ -1,9 +1,10 @@
 import type { Hit, SearchResult } from '../api/types';
+import { type Columns, csv } from '../page/csv';
 import { element } from '../page/element';
+import { saveText } from '../page/save_file';
+import { say } from '../words/say';
 
-type Field = string | number | null;
-
-const kColumns: readonly (readonly [name: string, of: (hit: Hit) => Field])[] = [
+const kColumns: Columns<Hit> = [
     ['rank', (hit) => hit.rank],
     ['id', (hit) => hit.id],
     ['name', (hit) => hit.name],
@@ -17,30 +18,9 @@ const kColumns: readonly (readonly [name: string, of: (hit: Hit) => Field])[] = 
     ['copies', (hit) => hit.copies],
 ];
 
-/**
- * Quoted where it has to be (RFC 4180). A spreadsheet takes what begins like a formula for one, and
- * names come from files: such a name gets an apostrophe in front.
- */
-function quoted(field: Field): string {
-    const text = String(field ?? '');
-    const plain = typeof field === 'string' && /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
-    return /[",\r\n]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
-}
-
 /** A line for each hit below one of names. */
 export function csvOf(hits: readonly Hit[]): string {
-    const lines = [
-        kColumns.map(([name]) => name),
-        ...hits.map((hit) => kColumns.map(([, of]) => quoted(of(hit)))),
-    ];
-    return lines.map((line) => `${line.join(',')}\r\n`).join('');
-}
-
-function save(name: string, type: string, text: string): void {
-    const href = URL.createObjectURL(new Blob([text], { type }));
-    element('a', { href, download: name }).click();
-    // The browser has taken it by then.
-    setTimeout(() => URL.revokeObjectURL(href), 60_000);
+    return csv(hits, kColumns);
 }
 
 /** Buttons that save the hits as files. */
@@ -51,9 +31,9 @@ export function saveResults(result: SearchResult): HTMLElement {
     return element(
         'p',
         { class: 'save-results' },
-        button('Save as CSV', () => save(`${name}.csv`, 'text/csv', csvOf(result.hits))),
-        button('Save as JSON', () =>
-            save(`${name}.json`, 'application/json', JSON.stringify(result, null, 1)),
+        button(say('Save as CSV'), () => saveText(`${name}.csv`, 'text/csv', csvOf(result.hits))),
+        button(say('Save as JSON'), () =>
+            saveText(`${name}.json`, 'application/json', JSON.stringify(result, null, 1)),
         ),
     );
 }

@@ -3,8 +3,9 @@ import { kLimits, kSearchDefaults, type SearchParameters } from '../api/search_p
 import type { Ranker } from '../api/types';
 import { type Child, element } from '../page/element';
 import { capitalise, formatName } from '../page/format';
-import type { KnownClasses } from '../page/known_classes';
-import { classField } from './class_field';
+import type { KnownFacets } from '../page/known_facets';
+import { sayName, say, type Text } from '../words/say';
+import { knownFacetField } from './known_facet_field';
 
 export interface SearchFormOptions {
     parameters: SearchParameters;
@@ -20,7 +21,7 @@ export interface SearchForm {
     dispose(): void;
 }
 
-const kRankerHints: Record<Ranker, string> = {
+const kRankerHints: Record<Ranker, Text> = {
     hybrid: 'Skeleton and overall shape together',
     skeleton: 'Skeleton matching alone',
     'chain-code': 'Chain codes alone',
@@ -32,21 +33,21 @@ function rankerChoice(name: string, chosen: Ranker): HTMLFieldSetElement {
     return element(
         'fieldset',
         { class: 'field segmented-field' },
-        element('legend', { class: 'field-label' }, 'Ranker'),
+        element('legend', { class: 'field-label' }, say('Ranker')),
         element(
             'div',
             { class: 'segmented' },
             kRankers.map((ranker) =>
                 element(
                     'label',
-                    { title: kRankerHints[ranker] },
+                    { title: say(kRankerHints[ranker]) },
                     element('input', {
                         type: 'radio',
                         name,
                         value: ranker,
                         checked: ranker === chosen,
                     }),
-                    element('span', {}, capitalise(formatName(ranker))),
+                    element('span', {}, capitalise(sayName(formatName(ranker)))),
                 ),
             ),
         ),
@@ -66,13 +67,13 @@ function poseField(pose: HTMLInputElement, value: HTMLOutputElement): HTMLElemen
     return element(
         'label',
         { class: 'field' },
-        element('span', { class: 'field-label' }, 'Build or pose', value),
+        element('span', { class: 'field-label' }, say('Build or pose'), value),
         pose,
         element(
             'span',
             { class: 'range-ends', 'aria-hidden': 'true' },
-            element('span', {}, 'built like it'),
-            element('span', {}, 'standing like it'),
+            element('span', {}, say('built like it')),
+            element('span', {}, say('standing like it')),
         ),
     );
 }
@@ -83,7 +84,7 @@ function choice(box: HTMLInputElement, text: string): HTMLElement {
 
 /** How to search: everything but the query itself. */
 export function searchForm(
-    classes: KnownClasses,
+    facets: KnownFacets,
     options: Partial<SearchFormOptions> = {},
 ): SearchForm {
     const { parameters, onChange } = { ...kDefaults, ...options };
@@ -117,18 +118,22 @@ export function searchForm(
         name: 'size',
         checked: parameters.size > 0,
     });
-    const className = classField(parameters.className, classes);
+    const className = knownFacetField('classes', parameters.className, facets);
+    const folder = knownFacetField('folders', parameters.folder, facets);
+    const kind = knownFacetField('kinds', parameters.kind, facets);
     const node = element(
         'form',
-        { class: 'search-form', 'aria-label': 'Search options' },
+        { class: 'search-form', 'aria-label': say('Search options') },
         rankers,
         poseField(pose, poseValue),
         className.node,
-        field('Hits', limit),
-        choice(part, 'As a part: models that have this somewhere'),
-        choice(size, 'Size counts (models of one unit)'),
-        choice(rerank, 'Re-rank by what the collection has in common'),
-        choice(fold, 'Copies of a model are one hit'),
+        folder.node,
+        kind.node,
+        field(say('Hits'), limit),
+        choice(part, say('As a part: models that have this somewhere')),
+        choice(size, say('Size counts (models of one unit)')),
+        choice(rerank, say('Re-rank by what the collection has in common')),
+        choice(fold, say('Copies of a model are one hit')),
     );
     const read = (): SearchParameters => ({
         ranker: (rankers.querySelector<HTMLInputElement>('input:checked')?.value ??
@@ -140,6 +145,8 @@ export function searchForm(
         fold: fold.checked,
         limit: Number(limit.value),
         className: className.select.value,
+        folder: folder.select.value,
+        kind: kind.select.value,
     });
     pose.addEventListener('input', () => {
         poseValue.textContent = Number(pose.value).toFixed(2);
@@ -154,6 +161,10 @@ export function searchForm(
         get parameters() {
             return read();
         },
-        dispose: () => className.dispose(),
+        dispose() {
+            for (const each of [className, folder, kind]) {
+                each.dispose();
+            }
+        },
     };
 }

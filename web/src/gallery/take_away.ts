@@ -1,8 +1,10 @@
 import type { Client } from '../api/client';
 import { type HeldModel, pathOf } from '../api/client';
 import { isAbort } from '../api/problem';
+import { copyText } from '../page/copy_text';
 import { element, replace } from '../page/element';
 import { problemNotice } from '../page/problem_notice';
+import { say } from '../words/say';
 
 export interface TakeAwayOptions {
     model: HeldModel;
@@ -16,6 +18,8 @@ interface Files {
     file: string | null;
     stl: string | null;
     fullRig: string | null;
+    /** A page for frames in other pages. */
+    embed: string | null;
 }
 
 function download(href: string, label: string, fileName: string, note = ''): HTMLElement {
@@ -27,43 +31,61 @@ function download(href: string, label: string, fileName: string, note = ''): HTM
     );
 }
 
-function copyButton(path: string): HTMLElement {
-    const button = element('button', { type: 'button', class: 'link-button' }, 'Copy the path');
-    button.addEventListener('click', () => {
-        const said = (text: string): void => {
-            button.textContent = text;
-        };
-        navigator.clipboard?.writeText(path).then(
-            () => said('Copied'),
-            () => said('The browser does not allow it'),
-        ) ?? said(path);
+function copyButton(label: string, text: string): HTMLElement {
+    const button = element('button', { type: 'button', class: 'link-button' }, label);
+    button.addEventListener('click', async () => {
+        const copied = await copyText(text);
+        button.textContent = say(copied ? 'Copied' : 'The browser does not allow it');
     });
     return button;
 }
 
-function list({ model, name, path }: TakeAwayOptions, { file, stl, fullRig }: Files): HTMLElement {
+/** What another page writes to show the model. */
+function frameFor(embed: string): string {
+    return `<iframe src="${new URL(embed, location.href)}" width="480" height="360"></iframe>`;
+}
+
+function list(
+    { model, name, path }: TakeAwayOptions,
+    { file, stl, fullRig, embed }: Files,
+): HTMLElement {
     const at = pathOf(model);
     return element(
         'ul',
         { class: 'take-away-list' },
-        path !== '' && element('li', {}, element('code', {}, path), ' ', copyButton(path)),
-        file && download(file, 'The file itself', ''),
-        stl && download(stl, 'STL', `${name}.stl`, 'all triangles'),
-        fullRig && download(fullRig, 'Rigged glTF', `${name}.glb`, 'all triangles'),
-        !fullRig && download(`${at}/rig.glb`, 'Rigged glTF', `${name}.glb`, 'of the preview'),
-        download(`${at}/skeleton`, 'Skeleton', `${name}-skeleton.json`),
-        download(`${at}/segments`, 'Parts', `${name}-parts.json`),
+        path !== '' &&
+            element(
+                'li',
+                {},
+                element('code', {}, path),
+                ' ',
+                copyButton(say('Copy the path'), path),
+            ),
+        file && download(file, say('The file itself'), ''),
+        stl && download(stl, 'STL', `${name}.stl`, say('all triangles')),
+        fullRig && download(fullRig, say('Rigged glTF'), `${name}.glb`, say('all triangles')),
+        !fullRig &&
+            download(`${at}/rig.glb`, say('Rigged glTF'), `${name}.glb`, say('of the preview')),
+        download(`${at}/skeleton`, say('Skeleton'), `${name}-skeleton.json`),
+        download(`${at}/segments`, say('Parts'), `${name}-parts.json`),
+        embed &&
+            element('li', {}, copyButton(say('Copy the frame for another page'), frameFor(embed))),
     );
 }
 
 async function filesOf(model: HeldModel, client: Client, signal: AbortSignal): Promise<Files> {
     const rig = `${pathOf(model)}/rig.glb?detail=full`;
     if (model.kind === 'query') {
-        return { file: null, stl: `${pathOf(model)}/mesh.stl`, fullRig: rig };
+        return { file: null, stl: `${pathOf(model)}/mesh.stl`, fullRig: rig, embed: null };
     }
     const { links } = await client.model(model.id, signal);
     const file = links.file ?? null;
-    return { file, stl: links.stl ?? null, fullRig: file && rig };
+    return {
+        file,
+        stl: links.stl ?? null,
+        fullRig: file && rig,
+        embed: links.embed ?? null,
+    };
 }
 
 /** Where a model lies and what of it can be saved, once one asks. */
@@ -75,7 +97,7 @@ export function takeAway(options: TakeAwayOptions, client: Client): HTMLElement 
         element(
             'summary',
             {},
-            'Take away',
+            say('Take away'),
             element('span', { class: 'visually-hidden' }, ` ${options.name}`),
         ),
         body,

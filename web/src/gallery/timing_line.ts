@@ -1,6 +1,7 @@
 import type { SearchResult } from '../api/types';
 import { element } from '../page/element';
 import { formatDuration, formatName, formatPlural } from '../page/format';
+import { say, sayName } from '../words/say';
 
 /** As a model goes through them. */
 const kPipeline = [
@@ -38,18 +39,19 @@ export function timingLine(result: SearchResult): HTMLElement {
         element(
             'p',
             {},
-            `${formatPlural(result.models, 'model')} ranked in `,
+            say('{models} ranked in', { models: formatPlural(result.models, 'model', 'models') }),
+            ' ',
             element('strong', {}, formatDuration(result.took_ms)),
         ),
         stages.length > 0 &&
             element(
                 'ul',
-                { class: 'timing-stages', 'aria-label': 'Time by stage' },
+                { class: 'timing-stages', 'aria-label': say('Time by stage') },
                 stages.map(([name, time]) =>
                     element(
                         'li',
                         {},
-                        formatName(name),
+                        sayName(formatName(name)),
                         ' ',
                         element('b', {}, formatDuration(time)),
                     ),

@@ -5,6 +5,7 @@ import { problemNotice } from '../page/problem_notice';
 import { formatRoute, resultsOf } from '../page/routes';
 import type { Upload } from '../page/uploads';
 import { type Progress, progress } from './progress';
+import { say } from '../words/say';
 
 export interface UploadTray {
     node: HTMLElement;
@@ -35,13 +36,16 @@ function complaint(error: unknown, name: string, onClose: () => void): HTMLEleme
         'div',
         { class: 'upload-problem' },
         problemNotice(error),
-        closeButton(`Close: ${name}`, onClose),
+        closeButton(say('Close: {name}', { name }), onClose),
     );
 }
 
 /** The files of this session: what runs, what failed, and the way back to those that are done. */
 class Tray implements UploadTray {
-    readonly node = element('section', { class: 'uploads', 'aria-label': 'Searches with files' });
+    readonly node = element('section', {
+        class: 'uploads',
+        'aria-label': say('Searches with files'),
+    });
     private readonly chips_ = element('ul', { class: 'upload-chips' });
     private readonly bars_ = element('div', { class: 'upload-bars' });
     private readonly complaints_ = element('div', { class: 'upload-problems' });
@@ -54,6 +58,7 @@ class Tray implements UploadTray {
         this.context_ = context;
         this.node.append(this.chips_, this.bars_, this.complaints_);
         this.end_ = context.uploads.subscribe(() => this.show());
+        context.uploads.onSent = (upload) => this.sent(upload);
         this.show();
     }
 
@@ -95,7 +100,7 @@ class Tray implements UploadTray {
     }
 
     private chip(upload: Upload): HTMLElement {
-        const remove = closeButton(`Forget ${upload.name}`, () =>
+        const remove = closeButton(say('Forget {name}', { name: upload.name }), () =>
             this.context_.uploads.remove(upload),
         );
         return element(
@@ -103,7 +108,7 @@ class Tray implements UploadTray {
             { class: 'chip' },
             upload.state === 'done'
                 ? element('a', { href: addressOf(upload) }, upload.name)
-                : element('span', {}, upload.name, ' ', element('span', {}, 'waiting')),
+                : element('span', {}, upload.name, ' ', element('span', {}, say('waiting'))),
             remove,
         );
     }
@@ -117,13 +122,27 @@ class Tray implements UploadTray {
         if (upload) {
             const size = upload.size === null ? '' : ` (${formatBytes(upload.size)})`;
             const bar = progress({
-                message: `Searching with ${upload.name}${size}`,
+                message: say('Searching with {name}', { name: `${upload.name}${size}` }),
                 onCancel: () => this.context_.uploads.remove(upload),
             });
-            this.context_.announce(`Searching with ${upload.name}`);
+            this.context_.announce(say('Searching with {name}', { name: upload.name }));
             this.bar_ = { upload, progress: bar };
         }
         replace(this.bars_, this.bar_?.progress.node);
+    }
+
+    private sent(upload: Upload): void {
+        if (this.bar_?.upload !== upload) {
+            return;
+        }
+        const share = upload.sent ?? 0;
+        const done = share >= 1;
+        this.bar_.progress.stage(
+            done
+                ? `${upload.name}: ${say('The server reads it, finds its skeleton and ranks the collection')}`
+                : `${say('Sending {name}', { name: upload.name })} (${Math.round(100 * share)} %)`,
+            done ? null : share,
+        );
     }
 
     private fold(): void {

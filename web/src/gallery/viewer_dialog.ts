@@ -1,6 +1,7 @@
 import { isAbort } from '../api/problem';
 import { type Child, element, replace } from '../page/element';
 import { problemNotice } from '../page/problem_notice';
+import { say } from '../words/say';
 
 export interface DialogView {
     node: HTMLElement;
@@ -33,7 +34,7 @@ export function viewerDialog(options: ViewerDialogOptions): ViewerDialog {
     const body = element('div', { class: 'dialog-body', 'aria-busy': 'true' });
     const close = element(
         'button',
-        { type: 'button', class: 'button button-icon', 'aria-label': 'Close', click: onClose },
+        { type: 'button', class: 'button button-icon', 'aria-label': say('Close'), click: onClose },
         '✕',
     );
     const node = element(
@@ -49,7 +50,7 @@ export function viewerDialog(options: ViewerDialogOptions): ViewerDialog {
     );
     const fill = async (): Promise<void> => {
         body.setAttribute('aria-busy', 'true');
-        replace(body, element('div', { class: 'dialog-loading' }, 'Loading…'));
+        replace(body, element('div', { class: 'dialog-loading' }, say('Loading…')));
         try {
             const made = await load(running.signal);
             if (running.signal.aborted) {

@@ -1,4 +1,5 @@
 import { ApiError } from '../api/problem';
+import { say } from '../words/say';
 
 /** Code that is fetched only when it is needed. Errors: page_part. */
 export async function codePart<T>(load: () => Promise<T>): Promise<T> {
@@ -6,9 +7,11 @@ export async function codePart<T>(load: () => Promise<T>): Promise<T> {
         return await load();
     } catch {
         throw new ApiError({
-            title: 'A part of this page did not arrive',
+            title: say('A part of this page did not arrive'),
             status: 0,
-            detail: 'The server cannot be reached, or has been updated since the page was loaded.',
+            detail: say(
+                'The server cannot be reached, or has been updated since the page was loaded.',
+            ),
             code: 'page_part',
         });
     }

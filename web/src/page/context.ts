@@ -2,9 +2,10 @@ import type { Client } from '../api/client';
 import type { PreviewMesh, UpAxis } from '../api/elements';
 import type { SearchParameters } from '../api/search_parameters';
 import type { SearchResult } from '../api/types';
-import type { KnownClasses } from './known_classes';
+import type { KnownFacets } from './known_facets';
 import type { Recent } from './recent';
 import type { Route } from './routes';
+import type { Selection } from './selection';
 import type { Uploads } from './uploads';
 
 /** What the server says of a query, and how to draw it. */
@@ -17,8 +18,10 @@ export interface Answer {
 /** What every page is given. */
 export interface Context {
     client: Client;
-    classes: KnownClasses;
+    facets: KnownFacets;
     uploads: Uploads;
+    /** The models that are ticked. */
+    selection: Selection;
     /** By the address of their results: for the way back. */
     answers: Recent<Answer>;
     /** As a search was asked for last: what the next upload is searched with. */

@@ -1,12 +1,21 @@
-const kLocale = 'en';
-const kCount = new Intl.NumberFormat(kLocale);
+import { say, spokenLanguage, type Text } from '../words/say';
 
-export function formatCount(count: number): string {
-    return kCount.format(count);
+const formats = new Map<string, Intl.NumberFormat>();
+
+function numbers(options: Intl.NumberFormatOptions = {}): Intl.NumberFormat {
+    const language = spokenLanguage();
+    const key = `${language} ${JSON.stringify(options)}`;
+    const known = formats.get(key) ?? new Intl.NumberFormat(language, options);
+    formats.set(key, known);
+    return known;
 }
 
-export function formatPlural(count: number, singular: string, plural = `${singular}s`): string {
-    return `${formatCount(count)} ${count === 1 ? singular : plural}`;
+export function formatCount(count: number): string {
+    return numbers().format(count);
+}
+
+export function formatPlural(count: number, singular: Text, plural: Text): string {
+    return `${formatCount(count)} ${say(count === 1 ? singular : plural)}`;
 }
 
 /** Three significant places are enough to tell neighbours in a ranked list apart. */
@@ -17,15 +26,22 @@ export function formatDistance(distance: number): string {
     return distance >= 100 ? distance.toFixed(0) : distance.toFixed(3);
 }
 
-const kSize = new Intl.NumberFormat(kLocale, { maximumSignificantDigits: 4 });
+const kSize = { maximumSignificantDigits: 4 } as const;
 
 /** Length, width and height of a box along the axes of a file, in its unit if it names one. */
 export function formatSize(
     { min, max }: { min: readonly number[]; max: readonly number[] },
     unit: string | null,
 ): string {
-    const lengths = max.map((high, axis) => kSize.format(high - (min[axis] ?? 0)));
+    const lengths = max.map((high, axis) => numbers(kSize).format(high - (min[axis] ?? 0)));
     return [lengths.join(' × '), ...(unit === null ? [] : [unit])].join(' ');
+}
+
+/** A length in the unit of a file, if it names one. */
+export function formatLength(length: number, unit: string | null): string {
+    return unit === null
+        ? numbers(kSize).format(length)
+        : `${numbers(kSize).format(length)} ${unit}`;
 }
 
 export function formatShare(share: number): string {

@@ -1,5 +1,6 @@
 import { element, svg } from './element';
 import { formatRoute, kHome, type Route } from './routes';
+import { keepLanguage, kLanguages, say, spokenLanguage } from '../words/say';
 
 export interface Header {
     node: HTMLElement;
@@ -27,18 +28,39 @@ export function logo(): SVGElement {
     );
 }
 
+/** Takes the page's words from another table; the page is built anew. */
+function languageSwitch(): HTMLElement {
+    const select = element(
+        'select',
+        { class: 'language', 'aria-label': say('Language') },
+        kLanguages.map((each) =>
+            element('option', { value: each, lang: each }, each.toUpperCase()),
+        ),
+    );
+    select.value = spokenLanguage();
+    select.addEventListener('change', () => {
+        const chosen = kLanguages.find((each) => each === select.value);
+        if (chosen) {
+            keepLanguage(chosen);
+            location.reload();
+        }
+    });
+    return select;
+}
+
 /** @param actions what can be done on every page */
 export function header(actions: HTMLElement): Header {
     const links = [
-        { page: 'home', label: 'Search', href: formatRoute(kHome) },
-        { page: 'reports', label: 'Reports', href: formatRoute({ page: 'reports' }) },
+        { page: 'home', label: say('Search'), href: formatRoute(kHome) },
+        { page: 'reports', label: say('Reports'), href: formatRoute({ page: 'reports' }) },
+        { page: 'manage', label: say('Manage'), href: formatRoute({ page: 'manage' }) },
     ].map(({ page, label, href }) => ({ page, node: element('a', { href }, label) }));
     const node = element(
         'header',
         { class: 'header' },
         element(
             'a',
-            { class: 'brand', href: formatRoute(kHome), 'aria-label': 'Ossuary, start page' },
+            { class: 'brand', href: formatRoute(kHome), 'aria-label': say('Ossuary, start page') },
             logo(),
             element('span', {}, 'Ossuary'),
         ),
@@ -47,10 +69,11 @@ export function header(actions: HTMLElement): Header {
             { class: 'header-side' },
             element(
                 'nav',
-                { 'aria-label': 'Pages' },
+                { 'aria-label': say('Pages') },
                 links.map((link) => link.node),
             ),
             actions,
+            languageSwitch(),
         ),
     );
     return {

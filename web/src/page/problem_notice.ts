@@ -1,5 +1,6 @@
 import { ApiError } from '../api/problem';
 import { type Child, element } from './element';
+import { say } from '../words/say';
 
 export interface NoticeOptions {
     /** Asked again on a press of "Try again"; none: no such button. */
@@ -12,7 +13,7 @@ const kDefaults: NoticeOptions = { retry: null };
 function wayOn(code: string, retry: () => void): HTMLElement {
     const outdated = code === 'page_part';
     const click = outdated ? () => location.reload() : retry;
-    const label = outdated ? 'Load the page anew' : 'Try again';
+    const label = outdated ? say('Load the page anew') : say('Try again');
     return element('button', { type: 'button', class: 'button', click }, label);
 }
 
@@ -20,7 +21,7 @@ function wayOn(code: string, retry: () => void): HTMLElement {
 export function problemNotice(error: unknown, options: Partial<NoticeOptions> = {}): HTMLElement {
     const { retry } = { ...kDefaults, ...options };
     const known = error instanceof ApiError;
-    const title = known ? error.title : 'Something went wrong in this page';
+    const title = known ? error.title : say('Something went wrong in this page');
     const detail = error instanceof Error ? error.message : String(error);
     return element(
         'div',
@@ -32,7 +33,9 @@ export function problemNotice(error: unknown, options: Partial<NoticeOptions> = 
             known && element('code', { class: 'notice-code' }, error.code),
         ),
         detail !== title && element('p', {}, detail),
-        known && error.requestId && element('p', { class: 'fine' }, `Request ${error.requestId}`),
+        known &&
+            error.requestId &&
+            element('p', { class: 'fine' }, `${say('Request')} ${error.requestId}`),
         retry && wayOn(known ? error.code : '', retry),
     );
 }

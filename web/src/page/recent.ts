@@ -16,6 +16,11 @@ export class Recent<T> {
         return kept && this.now_() - kept.at <= this.milliseconds_ ? kept.value : undefined;
     }
 
+    /** After what the values depend on has changed. */
+    clear(): void {
+        this.values_.clear();
+    }
+
     set(name: string, value: T): void {
         this.values_.delete(name);
         this.values_.set(name, { value, at: this.now_() });

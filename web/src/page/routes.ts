@@ -15,13 +15,15 @@ import {
 
 /**
  * What the page shows, as its address after `#` says it:
- * `#/?name&class&folder&kind&sort&at` · `#/models/7` · `#/models/7/parts?posed` · `#/models/7/hits/12` ·
- * `#/q/TOKEN` and `#/search` likewise · `#/reports`.
+ * `#/?name&class&folder&kind&sort&at` · `#/models/7` · `#/models/7/parts?posed` · `#/models/7/look` ·
+ * `#/models/7/hits/12` ·
+ * `#/q/TOKEN` and `#/search` likewise · `#/reports` · `#/manage`.
  */
 export type Route =
     | HomeRoute
     | { page: 'results'; query: QuerySource; parameters: SearchParameters; over: Over }
     | { page: 'reports' }
+    | { page: 'manage' }
     | { page: 'missing'; path: string };
 
 export interface HomeRoute {
@@ -32,8 +34,15 @@ export interface HomeRoute {
     at: number;
 }
 
-/** What lies over the results: the comparison with a hit, the parts of the query, or nothing. */
-export type Over = { kind: 'hit'; id: number } | { kind: 'parts'; posed: string } | null;
+/**
+ * What lies over the results: the comparison with a hit, a closer look at the query or its parts, or
+ * nothing.
+ */
+export type Over =
+    | { kind: 'hit'; id: number }
+    | { kind: 'look' }
+    | { kind: 'parts'; posed: string }
+    | null;
 
 /** What the server holds, or the last upload of a server that keeps none (then the page does). */
 export type QuerySource = HeldModel | { kind: 'upload' };
@@ -48,6 +57,9 @@ function parseId(text: string): number | null {
 function parseOver(segments: string[], source: QuerySource, query: URLSearchParams): Over {
     if (segments[0] === 'parts' && segments.length === 1 && source.kind !== 'upload') {
         return { kind: 'parts', posed: query.get('posed') ?? '' };
+    }
+    if (segments[0] === 'look' && segments.length === 1) {
+        return { kind: 'look' };
     }
     const id = segments[0] === 'hits' && segments.length === 2 ? parseId(segments[1] ?? '') : null;
     return id === null ? null : { kind: 'hit', id };
@@ -105,6 +117,9 @@ export function parseRoute(hash: string): Route {
     if (segments.length === 1 && segments[0] === 'reports') {
         return { page: 'reports' };
     }
+    if (segments.length === 1 && segments[0] === 'manage') {
+        return { page: 'manage' };
+    }
     return parseResults(segments, query) ?? { page: 'missing', path };
 }
 
@@ -127,7 +142,7 @@ function formatOver(over: Over): string {
     if (over === null) {
         return '';
     }
-    return over.kind === 'parts' ? '/parts' : `/hits/${over.id}`;
+    return over.kind === 'hit' ? `/hits/${over.id}` : `/${over.kind}`;
 }
 
 /** The inverse of {@link parseRoute}. */
@@ -152,6 +167,8 @@ export function formatRoute(route: Route): string {
         }
         case 'reports':
             return '#/reports';
+        case 'manage':
+            return '#/manage';
         case 'missing':
             return `#${route.path}`;
     }
@@ -167,6 +184,10 @@ export function resultsOf(
 
 export function sameQuery(a: QuerySource, b: QuerySource): boolean {
     return formatSource(a) === formatSource(b);
+}
+
+export function lookAt(model: QuerySource, parameters: SearchParameters = kSearchDefaults): Route {
+    return resultsOf(model, parameters, { kind: 'look' });
 }
 
 export function partsOf(model: HeldModel, parameters: SearchParameters = kSearchDefaults): Route {

@@ -11,6 +11,8 @@ export interface Upload {
     /** Of bytes; null after the page was loaded anew. */
     readonly size: number | null;
     state: UploadState;
+    /** The share of it that is on its way to the server. */
+    sent?: number;
     /** Where the server keeps it; null where it does not. */
     token: string | null;
     /** What the server said first. */
@@ -63,6 +65,8 @@ export class Uploads {
     private list_: Upload[] = stored();
     private waiting_: Work[] = [];
     private running_: { upload: Upload; abort: AbortController } | null = null;
+    /** Called with the upload of which more is on its way. */
+    onSent: (upload: Upload) => void = () => {};
     /** Called with the upload that is to be shown. */
     onDone: (upload: Upload) => void = () => {};
 
@@ -160,7 +164,14 @@ export class Uploads {
         try {
             const copy = await copyOf(file);
             this.bytes_.set(upload, copy);
-            this.keep(upload, parameters, await this.client_.search(copy, parameters, signal));
+            this.keep(
+                upload,
+                parameters,
+                await this.client_.search(copy, parameters, signal, (share) => {
+                    upload.sent = share;
+                    this.onSent(upload);
+                }),
+            );
             if (!together.shown) {
                 together.shown = true;
                 this.onDone(upload);

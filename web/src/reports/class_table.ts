@@ -8,11 +8,12 @@ import {
     kMetrics,
     sortedClasses,
 } from './report_data';
+import { type Text, say } from '../words/say';
 
 interface Column {
     key: keyof ClassRow;
-    short: string;
-    long: string;
+    short: Text;
+    long: Text;
 }
 
 const kColumns: readonly Column[] = [
@@ -39,8 +40,8 @@ export function classTable(perClass: Readonly<Record<string, ClassMetrics>>): HT
     const heads = kColumns.map((column) => {
         const button = element(
             'button',
-            { type: 'button', class: 'sort', title: column.long },
-            column.short,
+            { type: 'button', class: 'sort', title: say(column.long) },
+            say(column.short),
         );
         const node = element(
             'th',
@@ -81,7 +82,7 @@ export function classTable(perClass: Readonly<Record<string, ClassMetrics>>): HT
         element(
             'table',
             { class: 'table class-table' },
-            element('caption', { class: 'visually-hidden' }, 'Retrieval figures by class'),
+            element('caption', { class: 'visually-hidden' }, say('Retrieval figures by class')),
             element(
                 'thead',
                 {},

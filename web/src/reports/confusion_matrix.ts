@@ -1,6 +1,7 @@
 import type { Confusion } from '../api/elements';
 import { element } from '../page/element';
 import { commonMistakes } from './report_data';
+import { say } from '../words/say';
 
 /** Shares as whole per cents; nothing for nothing, so that the mistakes stand out. */
 export function cellText(share: number): string {
@@ -8,8 +9,14 @@ export function cellText(share: number): string {
     return percent > 0 ? String(percent) : '';
 }
 
-/** Class of the query down, class of its nearest neighbour across, in per cent of the row. */
-export function confusionMatrix(confusion: Confusion): HTMLElement {
+/**
+ * Class of the query down, class of its nearest neighbour across, in per cent of the row. Cells off the
+ * diagonal open the models behind them.
+ */
+export function confusionMatrix(
+    confusion: Confusion,
+    onOpen: (from: string, to: string) => void,
+): HTMLElement {
     const { classes, values } = confusion;
     const mistakes = commonMistakes(confusion);
     return element(
@@ -24,7 +31,9 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
                 element(
                     'caption',
                     {},
-                    'Row: class of the query. Column: class of its nearest neighbour. Per cent of the row.',
+                    say(
+                        'Row: class of the query. Column: class of its nearest neighbour. Per cent of the row.',
+                    ),
                 ),
                 element(
                     'thead',
@@ -55,7 +64,21 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
                                         '--share': share.toFixed(3),
                                         title: `${from} → ${to}: ${(share * 100).toFixed(1)} %`,
                                     },
-                                    cellText(share),
+                                    row !== column && cellText(share) !== ''
+                                        ? element(
+                                              'button',
+                                              {
+                                                  type: 'button',
+                                                  class: 'cell-button',
+                                                  'aria-label': say('{from} taken for {to}', {
+                                                      from,
+                                                      to,
+                                                  }),
+                                                  click: () => onOpen(from, to),
+                                              },
+                                              cellText(share),
+                                          )
+                                        : cellText(share),
                                 );
                             }),
                         ),
@@ -67,7 +90,7 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
             element(
                 'div',
                 { class: 'mistakes' },
-                element('h3', {}, 'Most often mistaken'),
+                element('h3', {}, say('Most often mistaken')),
                 element(
                     'ol',
                     {},
@@ -75,7 +98,7 @@ export function confusionMatrix(confusion: Confusion): HTMLElement {
                         element(
                             'li',
                             {},
-                            element('span', {}, `${from} for ${to}`),
+                            element('span', {}, say('{from} for {to}', { from, to })),
                             element('span', { class: 'number' }, `${Math.round(share * 100)} %`),
                         ),
                     ),

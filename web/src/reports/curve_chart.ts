@@ -6,6 +6,7 @@ import { element } from '../page/element';
 import { formatName, formatShare } from '../page/format';
 import { rankerColor } from './ranker_color';
 import { alignCurves } from './report_data';
+import { say, sayName } from '../words/say';
 
 export interface CurveChart {
     node: HTMLElement;
@@ -39,17 +40,17 @@ function chartOptions(evaluations: readonly Evaluation[], width: number): uPlot.
             x: { time: false, range: [0, 1] },
             y: { range: [0, 1.02] },
         },
-        axes: [axis('Recall', 34), axis('Precision', 40)],
+        axes: [axis(say('Recall'), 34), axis(say('Precision'), 40)],
         cursor: { points: { size: 8 }, drag: { x: false, y: false } },
         legend: { live: true },
         series: [
             {
-                label: 'Recall',
+                label: say('Recall'),
                 value: (_, value: number | null) => (value === null ? '–' : value.toFixed(2)),
             },
             ...evaluations.map(
                 (evaluation): uPlot.Series => ({
-                    label: formatName(evaluation.ranker),
+                    label: sayName(formatName(evaluation.ranker)),
                     stroke: rankerColor(evaluation.ranker),
                     width: 2.25,
                     spanGaps: true,
@@ -64,11 +65,15 @@ function chartOptions(evaluations: readonly Evaluation[], width: number): uPlot.
 /** Precision over recall, a line for each ranker. Follows its width and the page's colours. */
 export function curveChart(evaluations: readonly Evaluation[]): CurveChart {
     const { recall, precision } = alignCurves(evaluations);
-    const names = evaluations.map((evaluation) => formatName(evaluation.ranker)).join(', ');
+    const names = evaluations
+        .map((evaluation) => sayName(formatName(evaluation.ranker)))
+        .join(', ');
     const node = element('div', {
         class: 'curve',
         role: 'img',
-        'aria-label': `Precision over recall of ${names}; the table below has the figures`,
+        'aria-label': say('Precision over recall of {names}; the table below has the figures', {
+            names,
+        }),
     });
     let chart: uPlot | null = null;
     const draw = (): void => {

@@ -4,6 +4,17 @@ import { element } from '../page/element';
 import { capitalise, formatName, formatShare } from '../page/format';
 import { rankerColorName } from './ranker_color';
 import { bestRows, kMetrics } from './report_data';
+import { say, sayName } from '../words/say';
+
+/** Where a figure would lie for other queries of the same kind. */
+function interval({ low, high }: { low: number; high: number }): HTMLElement {
+    const text = `${formatShare(low)}–${formatShare(high)}`;
+    return element(
+        'span',
+        { class: 'interval', title: say('95 % interval, by resampling the queries') },
+        text,
+    );
+}
 
 /** The six figures of each ranker; the best of a column stands out. */
 export function metricsTable(evaluations: readonly Evaluation[]): HTMLElement {
@@ -14,22 +25,22 @@ export function metricsTable(evaluations: readonly Evaluation[]): HTMLElement {
         element(
             'table',
             { class: 'table metrics-table' },
-            element('caption', { class: 'visually-hidden' }, 'Retrieval figures by ranker'),
+            element('caption', { class: 'visually-hidden' }, say('Retrieval figures by ranker')),
             element(
                 'thead',
                 {},
                 element(
                     'tr',
                     {},
-                    element('th', { scope: 'col' }, 'Ranker'),
+                    element('th', { scope: 'col' }, say('Ranker')),
                     kMetrics.map(({ short, long }) =>
                         element(
                             'th',
                             { scope: 'col', class: 'number' },
-                            element('abbr', { title: long }, short),
+                            element('abbr', { title: say(long) }, say(short)),
                         ),
                     ),
-                    element('th', { scope: 'col' }, 'Curve'),
+                    element('th', { scope: 'col' }, say('Curve')),
                 ),
             ),
             element(
@@ -46,13 +57,14 @@ export function metricsTable(evaluations: readonly Evaluation[]): HTMLElement {
                                 class: 'swatch',
                                 '--color': `var(${rankerColorName(evaluation.ranker)})`,
                             }),
-                            capitalise(formatName(evaluation.ranker)),
+                            capitalise(sayName(formatName(evaluation.ranker))),
                         ),
                         kMetrics.map(({ key }) =>
                             element(
                                 'td',
                                 { class: best.get(key) === row ? 'number best' : 'number' },
                                 formatShare(evaluation[key]),
+                                interval(evaluation.intervals[key]),
                             ),
                         ),
                         element(
@@ -64,7 +76,10 @@ export function metricsTable(evaluations: readonly Evaluation[]): HTMLElement {
                                     {
                                         href: evaluationPath(evaluation.ranker, form),
                                         download: `${evaluation.ranker}${form}`,
-                                        'aria-label': `Curve of ${evaluation.ranker} as ${form.slice(1).toUpperCase()}`,
+                                        'aria-label': say('Curve of {ranker} as {form}', {
+                                            ranker: evaluation.ranker,
+                                            form: form.slice(1).toUpperCase(),
+                                        }),
                                     },
                                     form.slice(1).toUpperCase(),
                                 ),

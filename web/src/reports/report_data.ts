@@ -1,10 +1,11 @@
 import type { ClassMetrics, Confusion } from '../api/elements';
 import type { Evaluation, Metrics } from '../api/types';
+import type { Text } from '../words/say';
 
 export interface MetricColumn {
     key: keyof Metrics;
-    short: string;
-    long: string;
+    short: Text;
+    long: Text;
 }
 
 /** In the order in which the literature's tables have them. */

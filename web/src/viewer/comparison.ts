@@ -1,12 +1,16 @@
 import '../styles/viewer.css';
+import '../styles/look.css';
+import type { SkeletonBranch } from '../api/elements';
 import type { Match } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance, formatPlural, formatSize } from '../page/format';
+import { say } from '../words/say';
 import { assignBranchColors, type BranchColors, type ColoredPair } from './branch_colors';
 import { dialogContent } from './dialog_content';
+import { lookControls } from './look_controls';
 import { type MatchTable, matchTable } from './match_table';
-import { kFirstOrbit } from './orbit';
 import { OrbitSource } from './orbit_input';
+import { OverlaySwitch } from './overlay';
 import { Pane } from './pane';
 import type { ScreenPoint } from './pick';
 import { noWebGlNotice, type ViewedModel } from './query_view';
@@ -19,6 +23,8 @@ export interface ComparisonInput {
     match: Match;
     /** Said of the comparison between its summary and its table. */
     note: HTMLElement;
+    /** Searches for models that have a branch of the query. */
+    onFind: (branch: SkeletonBranch) => void;
 }
 
 export interface Comparison {
@@ -41,11 +47,16 @@ interface Side extends SideOptions {
 
 function summary(input: ComparisonInput): string {
     const clusters = input.match.cluster_sizes;
-    const nodes = formatPlural(input.match.nodes.length, 'node');
+    const nodes = formatPlural(input.match.nodes.length, 'node', 'nodes');
     const branches = formatPlural(input.match.branches.length, 'branch', 'branches');
     return clusters.length > 1
-        ? `${branches} and ${nodes} match, in ${clusters.length} groups of ${clusters.join(', ')} nodes.`
-        : `${branches} and ${nodes} match.`;
+        ? say('{branches} and {nodes} match, in {groups} groups of {sizes} nodes.', {
+              branches,
+              nodes,
+              groups: clusters.length,
+              sizes: clusters.join(', '),
+          })
+        : say('{branches} and {nodes} match.', { branches, nodes });
 }
 
 /** Two pictures and a table: a branch that one of them points at is lit in all. */
@@ -61,6 +72,12 @@ class LinkedBranches {
             query: input.query.skeleton,
             hit: input.hit.skeleton,
             onChoose: (pair) => this.choose(pair),
+            onFind: ({ a }) => {
+                const branch = input.query.skeleton.branches.find(({ id }) => id === a);
+                if (branch) {
+                    input.onFind(branch);
+                }
+            },
         });
     }
 
@@ -71,7 +88,7 @@ class LinkedBranches {
             mesh: model.mesh,
             skeleton: model.skeleton,
             branchColors: new Map([...pairOf].map(([id, pair]) => [id, pair.color])),
-            label: `${role}: ${model.name} with its skeleton`,
+            label: `${role}: ${say('{name} with its skeleton', { name: model.name })}`,
             orbit: this.orbit,
             up: model.up,
             onHover: (branch, at) => this.hovered(side, branch, at),
@@ -121,44 +138,43 @@ class LinkedBranches {
             side.label.style.setProperty('--x', `${at.x}px`);
             side.label.style.setProperty('--y', `${at.y}px`);
             side.label.textContent = pair
-                ? `Branch ${pair.number} · cost ${formatDistance(pair.cost)}`
-                : 'No counterpart';
+                ? `${say('Branch')} ${pair.number} · ${say('Cost')} ${formatDistance(pair.cost)}`
+                : say('No counterpart');
         }
     }
 }
 
-function controls(sides: readonly Side[], shared: OrbitSource): HTMLElement {
-    const parts = { surface: true, nodes: true };
-    const show = (changed: Partial<typeof parts>): void => {
-        Object.assign(parts, changed);
-        for (const { pane } of sides) {
-            pane.show(parts);
-        }
-    };
-    const turnTogether = (together: boolean): void => {
+/** Whether both turn with one hand. */
+function turnSwitch(sides: readonly Side[], shared: OrbitSource): HTMLElement {
+    return toggle(say('Turn together'), true, (together) => {
         const { orbit } = sides[0]?.pane.orbit ?? shared;
         shared.set(orbit);
         for (const { pane } of sides) {
             pane.follow(together ? shared : new OrbitSource(orbit));
         }
-    };
-    const reset = (): void => {
-        for (const { pane } of sides) {
-            pane.orbit.set({ ...kFirstOrbit });
-        }
-    };
-    return element(
+    });
+}
+
+function stageOf(
+    input: ComparisonInput,
+    linked: LinkedBranches,
+): { nodes: HTMLElement[]; end: () => void } {
+    const { query, hit, match } = input;
+    const sides = element(
         'div',
-        { class: 'viewer-controls', role: 'group', 'aria-label': 'View' },
-        toggle('Turn together', true, turnTogether),
-        toggle('Surface', true, (surface) => show({ surface })),
-        toggle('Nodes', true, (nodes) => show({ nodes })),
-        element(
-            'button',
-            { type: 'button', class: 'button button-quiet', click: reset },
-            'Reset view',
-        ),
+        { class: 'sides' },
+        linked.sides.map(({ figure }) => figure),
     );
+    const over =
+        query.mesh && hit.mesh
+            ? new OverlaySwitch({ query, hit, match, orbit: linked.orbit }, sides)
+            : null;
+    const controls = lookControls({
+        panes: linked.sides.map(({ pane, model: { name, unit } }) => ({ pane, name, unit })),
+        stage: sides,
+        more: [turnSwitch(linked.sides, linked.orbit), ...(over ? [over.control] : [])],
+    });
+    return { nodes: [sides, controls], end: () => over?.dispose() };
 }
 
 /**
@@ -172,26 +188,29 @@ export function comparison(input: ComparisonInput): Comparison {
     const drawn = hasWebGl();
     if (drawn) {
         linked.addSide({
-            role: 'Query',
+            role: say('Query'),
             model: query,
             pairOf: colors.query,
             branchOf: (pair) => pair.a,
         });
-        linked.addSide({ role: 'Hit', model: hit, pairOf: colors.hit, branchOf: (pair) => pair.b });
+        linked.addSide({
+            role: say('Hit'),
+            model: hit,
+            pairOf: colors.hit,
+            branchOf: (pair) => pair.b,
+        });
     }
-    const figures = linked.sides.map(({ figure }) => figure);
+    const stage = drawn ? stageOf(input, linked) : null;
     return {
         node: dialogContent(
-            drawn
-                ? [
-                      element('div', { class: 'sides' }, figures),
-                      controls(linked.sides, linked.orbit),
-                  ]
-                : noWebGlNotice(),
+            stage?.nodes ?? noWebGlNotice(),
             element('p', { class: 'match-summary' }, summary(input)),
             input.note,
             linked.table.node,
         ),
-        dispose: () => linked.dispose(),
+        dispose() {
+            stage?.end();
+            linked.dispose();
+        },
     };
 }

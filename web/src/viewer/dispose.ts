@@ -1,10 +1,10 @@
-import { Mesh, type Object3D, SkinnedMesh } from 'three';
+import { LineSegments, Mesh, type Object3D, SkinnedMesh } from 'three';
 
 /** Frees what the meshes below hold on the graphics card, each once, and takes them out. */
 export function disposeBelow(root: Object3D): void {
     const seen = new Set<{ dispose(): void }>();
     root.traverse((object) => {
-        if (object instanceof Mesh) {
+        if (object instanceof Mesh || object instanceof LineSegments) {
             seen.add(object.geometry);
             seen.add(object.material);
         }

@@ -1,6 +1,7 @@
 import { element } from '../page/element';
 import type { ScreenPoint } from './pick';
 import type { Handle } from './pose';
+import { say } from '../words/say';
 
 export interface JointHandlesOptions {
     handles: readonly Handle[];
@@ -30,7 +31,7 @@ export class JointHandles {
     readonly node = element('div', {
         class: 'joint-handles',
         role: 'group',
-        'aria-label': 'Joints',
+        'aria-label': say('Joints'),
     });
     private readonly options_: JointHandlesOptions;
     private readonly buttons_ = new Map<Handle, HTMLButtonElement>();
@@ -41,7 +42,9 @@ export class JointHandles {
             const button = element('button', {
                 type: 'button',
                 class: 'joint-handle',
-                'aria-label': `Joint ${handle.number}: drag it, or move it with the arrow keys`,
+                'aria-label': say('Joint {number}: drag it, or move it with the arrow keys', {
+                    number: handle.number,
+                }),
             });
             this.listen(handle, button);
             this.buttons_.set(handle, button);

@@ -1,6 +1,7 @@
 import type { Skeleton } from '../api/types';
 import { element } from '../page/element';
 import { formatDistance } from '../page/format';
+import { say } from '../words/say';
 import type { BranchColors, ColoredPair } from './branch_colors';
 
 export interface MatchTableOptions {
@@ -9,6 +10,8 @@ export interface MatchTableOptions {
     hit: Skeleton;
     /** A row got or lost the pointer or the focus. */
     onChoose: (pair: ColoredPair | null) => void;
+    /** Searches for models that have the query's branch of a pair. */
+    onFind: (pair: ColoredPair) => void;
 }
 
 export interface MatchTable {
@@ -30,7 +33,7 @@ function percent(share: number | undefined): string {
 
 /** The matched branches, the longest of the query's first. */
 export function matchTable(options: MatchTableOptions): MatchTable {
-    const { colors, query, hit, onChoose } = options;
+    const { colors, query, hit, onChoose, onFind } = options;
     const queryShares = branchShares(query);
     const hitShares = branchShares(hit);
     const rows = new Map<ColoredPair, HTMLTableRowElement>();
@@ -42,11 +45,10 @@ export function matchTable(options: MatchTableOptions): MatchTable {
             element(
                 'tr',
                 {
-                    tabindex: 0,
                     pointerenter: choose,
                     pointerleave: leave,
-                    focus: choose,
-                    blur: leave,
+                    focusin: choose,
+                    focusout: leave,
                 },
                 element(
                     'th',
@@ -57,10 +59,32 @@ export function matchTable(options: MatchTableOptions): MatchTable {
                 element('td', { class: 'number' }, percent(queryShares.get(pair.a))),
                 element('td', { class: 'number' }, percent(hitShares.get(pair.b))),
                 element('td', { class: 'number' }, formatDistance(pair.cost)),
+                element(
+                    'td',
+                    {},
+                    element(
+                        'button',
+                        {
+                            type: 'button',
+                            class: 'link-button',
+                            click: () => onFind(pair),
+                            'aria-label': say('Models with branch {number}', {
+                                number: pair.number,
+                            }),
+                        },
+                        say('Find'),
+                    ),
+                ),
             ),
         );
     }
-    const head = ['Branch', 'Query', 'Hit', 'Cost'];
+    const head = [
+        say('Branch'),
+        say('Query'),
+        say('Hit'),
+        say('Cost'),
+        element('span', { class: 'visually-hidden' }, say('Models with it')),
+    ];
     return {
         node: element(
             'div',
@@ -68,7 +92,7 @@ export function matchTable(options: MatchTableOptions): MatchTable {
             element(
                 'table',
                 { class: 'table match-table' },
-                element('caption', {}, 'Matched branches, lengths as shares of the skeleton'),
+                element('caption', {}, say('Matched branches, lengths as shares of the skeleton')),
                 element(
                     'thead',
                     {},
@@ -80,7 +104,7 @@ export function matchTable(options: MatchTableOptions): MatchTable {
                 ),
                 element('tbody', {}, [...rows.values()]),
             ),
-            rows.size === 0 && element('p', { class: 'fine' }, 'No branches match.'),
+            rows.size === 0 && element('p', { class: 'fine' }, say('No branches match.')),
         ),
         highlight(chosen) {
             for (const [pair, row] of rows) {

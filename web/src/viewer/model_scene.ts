@@ -4,10 +4,15 @@ import {
     Color,
     DoubleSide,
     Group,
+    type Material,
     Mesh,
     MeshBasicMaterial,
     MeshStandardMaterial,
+    type Plane,
+    type Raycaster,
+    type ShaderMaterial,
     SphereGeometry,
+    Vector3,
 } from 'three';
 import { mergeVertices, toCreasedNormals } from 'three/examples/jsm/utils/BufferGeometryUtils.js';
 
@@ -16,6 +21,7 @@ import type { Skeleton, Vector } from '../api/types';
 import { disposeBelow } from './dispose';
 import { fileColors } from './file_colors';
 import { type Frame, frameModel, toUnit, unitPositions } from './frame';
+import { boxLines, wireLines } from './outlines';
 import { surfaceMaterial } from './surface_material';
 import type { ViewerTheme } from './theme';
 import { buildTube } from './tube';
@@ -63,9 +69,10 @@ function creasedSurface(mesh: PreviewMesh, frame: Frame): BufferGeometry {
     return creased;
 }
 
-function nodeRadius(node: SkeletonNode, frame: Frame): number {
-    const scaled = kLeastNodeRadius + 0.12 * node.radius * frame.scale;
-    return Math.min(kMostNodeRadius, Math.max(kLeastNodeRadius, scaled));
+/** By its significance (eq. 3.3 of the thesis), as a share of the most significant node's. */
+export function nodeRadius({ significance }: SkeletonNode, most: number): number {
+    const share = most > 0 ? Math.min(1, Math.max(0, significance / most)) : 0;
+    return kLeastNodeRadius + (kMostNodeRadius - kLeastNodeRadius) * Math.sqrt(share);
 }
 
 /**
@@ -80,7 +87,11 @@ export class ModelScene {
     private readonly input_: ModelSceneInput;
     private readonly frame_: Frame;
     private highlighted_: number | null = null;
+    private readonly wires_ = new Group();
+    private readonly box_ = new Group();
     private colored_: boolean;
+    private opacity_: number | null = null;
+    private section_: Plane | null = null;
     private theme_: ViewerTheme;
 
     constructor(input: ModelSceneInput, theme: ViewerTheme) {
@@ -88,10 +99,10 @@ export class ModelScene {
         this.theme_ = theme;
         this.colored_ = this.hasColors;
         this.frame_ = frameModel(input.mesh, input.skeleton);
-        this.addSurface(theme);
+        this.addSurface();
         this.addBranches(theme);
         this.addNodes(theme);
-        this.root.add(this.surface_, this.nodes_);
+        this.root.add(this.surface_, this.nodes_, this.wires_, this.box_);
     }
 
     /** The branches' polylines in the unit sphere. */
@@ -105,6 +116,68 @@ export class ModelScene {
 
     set nodesVisible(visible: boolean) {
         this.nodes_.visible = visible;
+    }
+
+    /** From glass, 0, to solid, 1; null: as the page's style has it. */
+    set opacity(opacity: number | null) {
+        this.opacity_ = opacity;
+        this.paintSurface();
+    }
+
+    /** The edges of the triangles. */
+    set wireframe(shown: boolean) {
+        const { mesh } = this.input_;
+        if (shown && mesh && this.wires_.children.length === 0) {
+            const positions = unitPositions(this.frame_, mesh);
+            this.wires_.add(wireLines(positions, mesh.triangles, this.theme_.surface.rim));
+        }
+        this.wires_.visible = shown;
+    }
+
+    /** The box along the axes of the file. */
+    set boxed(shown: boolean) {
+        const bounds = this.input_.mesh?.bounds;
+        if (shown && bounds && this.box_.children.length === 0) {
+            const [min, max] = [bounds.min, bounds.max].map(
+                (corner) => new Vector3(...toUnit(this.frame_, corner)),
+            ) as [Vector3, Vector3];
+            this.box_.add(boxLines(min, max, this.theme_.node));
+        }
+        this.box_.visible = shown;
+    }
+
+    /** Length in the model's unit of one in the scene. */
+    get unitLength(): number {
+        return 1 / this.frame_.scale;
+    }
+
+    /** Where a ray meets the surface first, in the frame of `root`. */
+    surfacePoint(ray: Raycaster): Vector3 | null {
+        const [hit] = ray.intersectObjects(
+            this.surface_.children.filter(({ userData }) => userData.glass === true),
+            false,
+        );
+        return hit ? this.root.worldToLocal(hit.point.clone()) : null;
+    }
+
+    /** Corners of the triangles in the frame of `root`, three numbers each. */
+    get corners(): Float32Array {
+        const { mesh } = this.input_;
+        if (!mesh) {
+            return new Float32Array();
+        }
+        const positions = unitPositions(this.frame_, mesh);
+        const corners = new Float32Array(3 * mesh.triangles.length);
+        for (const [at, vertex] of mesh.triangles.entries()) {
+            corners.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * at);
+        }
+        return corners;
+    }
+
+    /** Where a node of the skeleton is in the frame of `root`; null: there is no such node. */
+    nodePosition(id: number): Vector3 | null {
+        const node = this.input_.skeleton.nodes.find((each) => each.id === id);
+        return node ? new Vector3(...toUnit(this.frame_, node.position)) : null;
     }
 
     /** Whether the model's file gives it colours. */
@@ -154,7 +227,7 @@ export class ModelScene {
         this.surface_.traverse((object) => {
             if (object instanceof Mesh && object.userData.glass === true) {
                 object.material.dispose();
-                object.material = surfaceMaterial(this.theme_.surface, this.colored_);
+                object.material = this.glass();
             }
         });
     }
@@ -170,7 +243,35 @@ export class ModelScene {
         return material;
     }
 
-    private addSurface(theme: ViewerTheme): void {
+    /** Cuts away what lies before a plane of the scene; null: nothing. */
+    set section(plane: Plane | null) {
+        this.section_ = plane;
+        for (const group of [this.surface_, this.wires_]) {
+            for (const child of group.children) {
+                ((child as Mesh).material as Material).clippingPlanes = plane ? [plane] : null;
+            }
+        }
+    }
+
+    private glass(): ShaderMaterial {
+        const { surface } = this.theme_;
+        const given = this.opacity_;
+        const material = surfaceMaterial(
+            given === null
+                ? surface
+                : {
+                      ...surface,
+                      bodyOpacity: given,
+                      rimOpacity: Math.max(given, surface.rimOpacity),
+                  },
+            this.colored_,
+            given,
+        );
+        material.clippingPlanes = this.section_ ? [this.section_] : null;
+        return material;
+    }
+
+    private addSurface(): void {
         const { mesh } = this.input_;
         if (!mesh || mesh.triangles.length === 0) {
             return;
@@ -183,7 +284,7 @@ export class ModelScene {
             new MeshBasicMaterial({ colorWrite: false, side: DoubleSide, transparent: true }),
         );
         depth.renderOrder = 1;
-        const glass = new Mesh(geometry, surfaceMaterial(theme.surface, this.colored_));
+        const glass = new Mesh(geometry, this.glass());
         glass.renderOrder = 2;
         glass.userData.glass = true;
         this.surface_.add(depth, glass);
@@ -224,10 +325,12 @@ export class ModelScene {
     private addNodes(theme: ViewerTheme): void {
         const ball = new SphereGeometry(1, 20, 14);
         const material = this.material(theme.node);
-        for (const node of this.input_.skeleton.nodes) {
+        const { nodes } = this.input_.skeleton;
+        const most = Math.max(0, ...nodes.map(({ significance }) => significance));
+        for (const node of nodes) {
             const mesh = new Mesh(ball, material);
             mesh.position.set(...toUnit(this.frame_, node.position));
-            mesh.scale.setScalar(nodeRadius(node, this.frame_));
+            mesh.scale.setScalar(nodeRadius(node, most));
             this.nodes_.add(mesh);
         }
     }

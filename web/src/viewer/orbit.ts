@@ -18,6 +18,22 @@ export const kMostElevation = Math.PI / 2 - 0.01;
 export const kNearest = 0.6;
 export const kFarthest = 12;
 
+/** What is looked at from where, as drawings have it; azimuth and elevation. */
+export const kStandardViews = {
+    Front: [0, 0],
+    Back: [Math.PI, 0],
+    Left: [-Math.PI / 2, 0],
+    Right: [Math.PI / 2, 0],
+    Top: [0, kMostElevation],
+    Bottom: [0, -kMostElevation],
+} as const;
+export type StandardView = keyof typeof kStandardViews;
+
+export function standardView(name: StandardView, { distance }: Orbit): Orbit {
+    const [azimuth, elevation] = kStandardViews[name];
+    return { azimuth, elevation, distance };
+}
+
 const kFullTurn = 2 * Math.PI;
 
 function clamp(value: number, low: number, high: number): number {

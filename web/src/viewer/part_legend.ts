@@ -1,5 +1,6 @@
 import type { SegmentPart } from '../api/elements';
 import { element } from '../page/element';
+import { say } from '../words/say';
 
 export interface PartLegendOptions {
     parts: readonly SegmentPart[];
@@ -7,6 +8,8 @@ export interface PartLegendOptions {
     colors: readonly string[];
     /** A row got or lost the pointer or the focus. */
     onChoose: (part: number | null) => void;
+    /** Searches for models that have a part. */
+    onFind: (part: number) => void;
 }
 
 export interface PartLegend {
@@ -19,14 +22,19 @@ export function formatShare(share: number): string {
 }
 
 /** The parts, the largest first; numbers from 1, since colour alone must not tell. */
-export function partLegend({ parts, colors, onChoose }: PartLegendOptions): PartLegend {
+export function partLegend({ parts, colors, onChoose, onFind }: PartLegendOptions): PartLegend {
     const most = Math.max(0, ...parts.map((part) => part.area_share));
     const rows = parts.map((part, index) => {
         const choose = (): void => onChoose(index);
         const leave = (): void => onChoose(null);
         return element(
             'tr',
-            { tabindex: 0, pointerenter: choose, pointerleave: leave, focus: choose, blur: leave },
+            {
+                pointerenter: choose,
+                pointerleave: leave,
+                focusin: choose,
+                focusout: leave,
+            },
             element(
                 'th',
                 { scope: 'row' },
@@ -42,20 +50,39 @@ export function partLegend({ parts, colors, onChoose }: PartLegendOptions): Part
                 }),
             ),
             element('td', { class: 'number' }, formatShare(part.area_share)),
+            element(
+                'td',
+                {},
+                element(
+                    'button',
+                    {
+                        type: 'button',
+                        class: 'link-button',
+                        click: () => onFind(index),
+                        'aria-label': say('Models with part {number}', { number: index + 1 }),
+                    },
+                    say('Find'),
+                ),
+            ),
         );
     });
     const table = element(
         'table',
         { class: 'table match-table part-legend' },
-        element('caption', {}, 'Parts by their share of the surface'),
+        element('caption', {}, say('Parts by their share of the surface')),
         element(
             'thead',
             {},
             element(
                 'tr',
                 {},
-                element('th', { scope: 'col' }, 'Part'),
-                element('th', { scope: 'col', colspan: 2 }, 'Area'),
+                element('th', { scope: 'col' }, say('Part')),
+                element('th', { scope: 'col', colspan: 2 }, say('Area')),
+                element(
+                    'th',
+                    { scope: 'col' },
+                    element('span', { class: 'visually-hidden' }, say('Models with it')),
+                ),
             ),
         ),
         element('tbody', {}, rows),

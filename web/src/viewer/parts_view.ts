@@ -13,6 +13,7 @@ import { loadRig } from './rig';
 import { RigPane } from './rig_pane';
 import { toggle } from './toggle';
 import { hasWebGl } from './webgl';
+import { say } from '../words/say';
 
 export interface PartsInput {
     name: string;
@@ -25,6 +26,8 @@ export interface PartsInput {
     posed: string;
     /** It was moved. */
     onPose: (posed: string) => void;
+    /** Searches for models that have a part. */
+    onFind: (part: number) => void;
 }
 
 function button(label: string, click: () => void): HTMLButtonElement {
@@ -33,10 +36,10 @@ function button(label: string, click: () => void): HTMLButtonElement {
 
 /** Undo and redo, by buttons and by the keys that undo everywhere. */
 function poseButtons(pane: RigPane): { nodes: HTMLElement[]; show: () => void } {
-    const undo = button('Undo', () => pane.undo());
-    const redo = button('Redo', () => pane.redo());
+    const undo = button(say('Undo'), () => pane.undo());
+    const redo = button(say('Redo'), () => pane.redo());
     return {
-        nodes: [undo, redo, button('Reset pose', () => pane.resetPose())],
+        nodes: [undo, redo, button(say('Reset pose'), () => pane.resetPose())],
         show() {
             undo.disabled = !pane.canUndo;
             redo.disabled = !pane.canRedo;
@@ -64,12 +67,12 @@ function controls(pane: RigPane, poses: readonly HTMLElement[]): HTMLElement {
     pane.show(shown);
     return element(
         'div',
-        { class: 'viewer-controls', role: 'group', 'aria-label': 'View' },
-        toggle('Parts', shown.parts, (on) => {
+        { class: 'viewer-controls', role: 'group', 'aria-label': say('View') },
+        toggle(say('Parts'), shown.parts, (on) => {
             shown.parts = on;
             pane.show(shown);
         }),
-        toggle('Joints', shown.joints, (on) => {
+        toggle(say('Joints'), shown.joints, (on) => {
             shown.joints = on;
             pane.show(shown);
         }),
@@ -77,7 +80,7 @@ function controls(pane: RigPane, poses: readonly HTMLElement[]): HTMLElement {
             'span',
             { class: 'viewer-buttons' },
             pane.jointCount > 0 && [...poses],
-            button('Reset view', () => pane.resetView()),
+            button(say('Reset view'), () => pane.resetView()),
         ),
     );
 }
@@ -87,8 +90,12 @@ function advice(joints: number): HTMLElement {
         'p',
         { class: 'fine' },
         joints > 0
-            ? 'Drag a joint to move what hangs on it. With the keyboard: Tab to a joint, arrow keys move it, Home puts it back, Ctrl+Z undoes. The address has the pose.'
-            : 'The skeleton of this model has no branch to turn, so that there is nothing to pose.',
+            ? say(
+                  'Drag a joint to move what hangs on it. With the keyboard: Tab to a joint, arrow keys move it, Home puts it back, Ctrl+Z undoes. The address has the pose.',
+              )
+            : say(
+                  'The skeleton of this model has no branch to turn, so that there is nothing to pose.',
+              ),
     );
 }
 
@@ -103,14 +110,14 @@ export async function partsView(input: PartsInput): Promise<View> {
         legend.highlight(part);
         pane?.highlight(part);
     };
-    const legend = partLegend({ parts, colors, onChoose: choose });
+    const legend = partLegend({ parts, colors, onChoose: choose, onFind: input.onFind });
     const hovered = (part: number | null, at: ScreenPoint | null): void => {
         choose(part);
         label.hidden = at === null;
         if (at && part !== null) {
             label.style.setProperty('--x', `${at.x}px`);
             label.style.setProperty('--y', `${at.y}px`);
-            label.textContent = `Part ${part + 1} · ${formatShare(parts[part]?.area_share ?? 0)}`;
+            label.textContent = `${say('Part')} ${part + 1} · ${formatShare(parts[part]?.area_share ?? 0)}`;
         }
     };
     let stage: Child = noWebGlNotice();
@@ -119,7 +126,7 @@ export async function partsView(input: PartsInput): Promise<View> {
             rig: await loadRig(input.rig),
             skeleton: input.skeleton,
             colors,
-            label: `${input.name} by its parts`,
+            label: say('{name} by its parts', { name: input.name }),
             up: input.up,
             onHover: hovered,
             posed: input.posed,
@@ -133,13 +140,18 @@ export async function partsView(input: PartsInput): Promise<View> {
         poses.show();
         stage = [element('div', { class: 'side' }, pane.node), controls(pane, poses.nodes)];
     }
-    const summary = formatPlural(parts.length, 'part');
+    const summary = formatPlural(parts.length, 'part', 'parts');
     const node = dialogContent(
         stage,
         element(
             'p',
             { class: 'match-summary' },
-            pane ? `${summary}, ${formatPlural(pane.jointCount, 'joint')} to move.` : `${summary}.`,
+            pane
+                ? say('{parts}, {joints} to move.', {
+                      parts: summary,
+                      joints: formatPlural(pane.jointCount, 'joint', 'joints'),
+                  })
+                : `${summary}.`,
         ),
         pane && advice(pane.jointCount),
         legend.node,

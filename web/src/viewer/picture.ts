@@ -1,6 +1,7 @@
 import {
     AmbientLight,
     DirectionalLight,
+    OrthographicCamera,
     PerspectiveCamera,
     Scene,
     Vector3,
@@ -13,6 +14,7 @@ import { cameraPosition } from './orbit';
 import { attachOrbitInput, type OrbitSource } from './orbit_input';
 import type { ScreenPoint } from './pick';
 import { Stand, upControl } from './up_axis';
+import { say } from '../words/say';
 
 export interface PictureOptions {
     /** What a screen reader calls the picture. */
@@ -22,6 +24,8 @@ export interface PictureOptions {
     up: UpAxis;
     /** The camera stands where the picture is about to be taken from. */
     beforeDraw: () => void;
+    /** Whether it can be taken by pointer and keyboard, and turned upright; without, it is but looked at. */
+    controls?: boolean;
 }
 
 const kFieldOfViewDegrees = 38;
@@ -37,7 +41,9 @@ export class Picture {
     readonly canvas: HTMLCanvasElement;
     /** What is shown stands here. */
     readonly stand = new Stand();
-    readonly camera = new PerspectiveCamera(kFieldOfViewDegrees, 1, 0.05, 40);
+    private readonly perspective_ = new PerspectiveCamera(kFieldOfViewDegrees, 1, 0.05, 40);
+    private readonly parallel_ = new OrthographicCamera(-1, 1, 1, -1, 0.05, 40);
+    private isParallel_ = false;
     private readonly scene_ = new Scene();
     private readonly renderer_: WebGLRenderer;
     private readonly undo_: (() => void)[] = [];
@@ -53,26 +59,29 @@ export class Picture {
         this.beforeDraw_ = options.beforeDraw;
         this.canvas = element('canvas', {
             class: 'pane-canvas',
-            tabindex: 0,
+            tabindex: options.controls === false ? null : 0,
             role: 'img',
-            'aria-label': `${options.label}. Arrow keys turn it, plus and minus zoom.`,
+            'aria-label': `${options.label}. ${say('Arrow keys turn it, plus and minus zoom.')}`,
         });
         this.stand.upAxis = options.up;
         const up = upControl(options.up, (axis) => {
             this.stand.upAxis = axis;
             this.requestDraw();
         });
-        this.node = element('div', { class: 'pane' }, this.canvas, up);
+        const { controls = true } = options;
+        this.node = element('div', { class: 'pane' }, this.canvas, controls && up);
         this.renderer_ = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true });
         this.renderer_.setPixelRatio(Math.min(devicePixelRatio, kMostPixelRatio));
         this.addLights();
-        this.scene_.add(this.stand, this.camera);
+        // What is cut away is told by the materials.
+        this.renderer_.localClippingEnabled = true;
+        this.scene_.add(this.stand, this.perspective_, this.parallel_);
         const resized = new ResizeObserver(() => this.resize());
         resized.observe(this.node);
-        this.undo_.push(
-            () => resized.disconnect(),
-            attachOrbitInput(this.canvas, () => this.orbit_),
-        );
+        this.undo_.push(() => resized.disconnect());
+        if (controls) {
+            this.undo_.push(attachOrbitInput(this.canvas, () => this.orbit_));
+        }
         this.follow(options.orbit);
     }
 
@@ -82,6 +91,23 @@ export class Picture {
         this.orbit_ = orbit;
         this.unsubscribe_ = orbit.subscribe(() => this.requestDraw());
         this.requestDraw();
+    }
+
+    get camera(): PerspectiveCamera | OrthographicCamera {
+        return this.isParallel_ ? this.parallel_ : this.perspective_;
+    }
+
+    /** Without perspective: parallel edges stay parallel. */
+    set orthographic(on: boolean) {
+        this.isParallel_ = on;
+        this.requestDraw();
+    }
+
+    /** What is seen, as a PNG file without ground; null where the browser cannot make one. */
+    snapshot(): Promise<Blob | null> {
+        // The drawing is gone once the browser has shown it.
+        this.draw();
+        return new Promise((resolve) => this.canvas.toBlob(resolve));
     }
 
     get orbit(): OrbitSource {
@@ -132,10 +158,13 @@ export class Picture {
     }
 
     private addLights(): void {
-        const key = new DirectionalLight('#ffffff', 2.2);
-        key.position.set(0.6, 1, 0.8);
-        // On the camera: whatever side is looked at is lit.
-        this.camera.add(key);
+        // On the cameras: whatever side is looked at is lit.
+        for (const camera of [this.perspective_, this.parallel_]) {
+            const key = new DirectionalLight('#ffffff', 2.2);
+            key.position.set(0.6, 1, 0.8);
+            camera.add(key);
+            camera.add(key.target);
+        }
         this.scene_.add(new AmbientLight('#ffffff', 1.1));
     }
 
@@ -143,7 +172,7 @@ export class Picture {
         const { clientWidth, clientHeight } = this.node;
         if (clientWidth > 0 && clientHeight > 0) {
             this.renderer_.setSize(clientWidth, clientHeight, false);
-            this.camera.aspect = clientWidth / clientHeight;
+            this.perspective_.aspect = clientWidth / clientHeight;
             this.sized_ = true;
             this.draw();
         }
@@ -157,15 +186,23 @@ export class Picture {
         }
         // A picture narrower than high has to be taken from further back to show the whole sphere.
         const orbit = this.orbit_.orbit;
-        const narrow = Math.max(1, 1 / this.camera.aspect);
-        this.camera.position.set(
-            ...cameraPosition({ ...orbit, distance: orbit.distance * narrow }),
-        );
-        this.camera.lookAt(0, 0, 0);
-        this.camera.updateProjectionMatrix();
-        this.camera.updateMatrixWorld(true);
+        const { aspect } = this.perspective_;
+        const distance = orbit.distance * Math.max(1, 1 / aspect);
+        const { camera } = this;
+        camera.position.set(...cameraPosition({ ...orbit, distance }));
+        camera.lookAt(0, 0, 0);
+        // As large as perspective shows what lies in the middle.
+        const half = distance * Math.tan((kFieldOfViewDegrees * Math.PI) / 360);
+        Object.assign(this.parallel_, {
+            left: -half * aspect,
+            right: half * aspect,
+            top: half,
+            bottom: -half,
+        });
+        camera.updateProjectionMatrix();
+        camera.updateMatrixWorld(true);
         this.beforeDraw_();
-        this.renderer_.render(this.scene_, this.camera);
+        this.renderer_.render(this.scene_, camera);
         this.canvas.dataset.picture = 'drawn';
     }
 }

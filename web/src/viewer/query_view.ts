@@ -6,6 +6,7 @@ import { OrbitSource } from './orbit_input';
 import { Pane } from './pane';
 import { readAccent } from './theme';
 import { hasWebGl } from './webgl';
+import { say } from '../words/say';
 
 export interface View {
     node: HTMLElement;
@@ -16,7 +17,7 @@ export function noWebGlNotice(): HTMLElement {
     return element(
         'p',
         { class: 'no-webgl' },
-        'This browser shows no 3D pictures (WebGL is off or missing).',
+        say('This browser shows no 3D pictures (WebGL is off or missing).'),
     );
 }
 
@@ -39,7 +40,7 @@ export function queryView({ name, mesh, skeleton, up }: Omit<ViewedModel, 'unit'
         mesh,
         skeleton,
         branchColors: new Map(skeleton.branches.map((branch) => [branch.id, accent])),
-        label: `${name} with its skeleton`,
+        label: say('{name} with its skeleton', { name }),
         orbit: new OrbitSource(),
         up,
         onHover: () => {},

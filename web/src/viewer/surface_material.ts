@@ -12,6 +12,7 @@ export interface SurfaceColors {
 const kVertexShader = /* glsl */ `
     #include <common>
     #include <skinning_pars_vertex>
+    #include <clipping_planes_pars_vertex>
     varying vec3 normal_view;
     varying vec3 to_viewer;
     #ifdef USE_COLOR
@@ -26,14 +27,17 @@ const kVertexShader = /* glsl */ `
         #include <skinnormal_vertex>
         #include <begin_vertex>
         #include <skinning_vertex>
-        vec4 position_view = modelViewMatrix * vec4(transformed, 1.0);
+        vec4 mvPosition = modelViewMatrix * vec4(transformed, 1.0);
         normal_view = normalMatrix * objectNormal;
-        to_viewer = -position_view.xyz;
-        gl_Position = projectionMatrix * position_view;
+        // Rays of an orthographic camera are parallel.
+        to_viewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : -mvPosition.xyz;
+        gl_Position = projectionMatrix * mvPosition;
+        #include <clipping_planes_vertex>
     }
 `;
 
 const kFragmentShader = /* glsl */ `
+    #include <clipping_planes_pars_fragment>
     uniform vec3 body;
     uniform vec3 rim;
     uniform float body_opacity;
@@ -44,6 +48,7 @@ const kFragmentShader = /* glsl */ `
         varying vec3 own_color;
     #endif
     void main() {
+        #include <clipping_planes_fragment>
         #ifdef USE_COLOR
             vec3 body_color = own_color;
             vec3 rim_color = 0.45 * own_color;
@@ -65,22 +70,29 @@ const kColoredOpacity = { body: 0.72, rim: 0.95 };
 /**
  * Glass rather than plain transparency: opaque at the silhouette, clear where one looks straight at
  * it. Both faces are drawn, because the triangles of a polygon soup are wound at random.
- * `ownColors`: by the geometry's attribute `color`, linear, instead of the body's.
+ * `ownColors`: by the geometry's attribute `color`, linear, instead of the body's; as opaque as they are
+ * to be seen, unless another `opacity` is given.
  */
-export function surfaceMaterial(colors: SurfaceColors, ownColors = false): ShaderMaterial {
+export function surfaceMaterial(
+    colors: SurfaceColors,
+    ownColors = false,
+    opacity: number | null = null,
+): ShaderMaterial {
+    const asColored = ownColors && opacity === null;
     return new ShaderMaterial({
         vertexShader: kVertexShader,
         fragmentShader: kFragmentShader,
         uniforms: {
             body: { value: new Color(colors.body) },
             rim: { value: new Color(colors.rim) },
-            body_opacity: { value: ownColors ? kColoredOpacity.body : colors.bodyOpacity },
-            rim_opacity: { value: ownColors ? kColoredOpacity.rim : colors.rimOpacity },
+            body_opacity: { value: asColored ? kColoredOpacity.body : colors.bodyOpacity },
+            rim_opacity: { value: asColored ? kColoredOpacity.rim : colors.rimOpacity },
         },
         vertexColors: ownColors,
         transparent: true,
         depthWrite: false,
         depthFunc: LessEqualDepth,
         side: DoubleSide,
+        clipping: true,
     });
 }

@@ -7,6 +7,8 @@ export interface ViewerTheme {
     node: string;
     highlight: string;
     accent: string;
+    /** Of what is measured. */
+    measure: string;
     /** What parts fade towards. */
     faded: string;
 }
@@ -29,6 +31,7 @@ export function readViewerTheme(): ViewerTheme {
         node: variable('--viewer-node', '#30363b'),
         highlight: variable('--viewer-highlight', '#ffffff'),
         accent: readAccent(),
+        measure: variable('--danger', '#a2342c'),
         faded: variable('--viewer-faded', '#d9dad4'),
     };
 }

@@ -24,13 +24,13 @@ function normalised(a: Vector): Vector {
     return length > 0 ? [a[0] / length, a[1] / length, a[2] / length] : [0, 0, 0];
 }
 
-/** Two equal points in a row have no direction between them. */
-function withoutRepeats(points: readonly Vector[]): Vector[] {
-    const kept: Vector[] = [];
-    for (const point of points) {
-        const last = kept.at(-1);
+/** Which points to keep: two equal ones in a row have no direction between them. */
+function withoutRepeats(points: readonly Vector[]): number[] {
+    const kept: number[] = [];
+    for (const [index, point] of points.entries()) {
+        const last = points[kept.at(-1) ?? -1];
         if (point.every(Number.isFinite) && (!last || Math.hypot(...subtract(point, last)) > 0)) {
-            kept.push(point);
+            kept.push(index);
         }
     }
     return kept;
@@ -55,12 +55,17 @@ function tangentAt(points: readonly Vector[], index: number): Vector {
 }
 
 /**
- * A tube of constant radius along a polyline. Its rings are carried along without twist (each
+ * A tube along a polyline, of one radius or of one for each of its points. Its rings are carried along without twist (each
  * normal is the last one made square to the new direction). Fewer than two distinct points give an
  * empty tube. The ends stay open: the spheres of the nodes sit on them.
  */
-export function buildTube(line: readonly Vector[], radius: number, sides = 10): Tube {
-    const points = withoutRepeats(line);
+export function buildTube(
+    line: readonly Vector[],
+    radius: number | readonly number[],
+    sides = 10,
+): Tube {
+    const kept = withoutRepeats(line);
+    const points = kept.map((index) => line[index] as Vector);
     if (points.length < 2) {
         return {
             positions: new Float32Array(),
@@ -73,6 +78,7 @@ export function buildTube(line: readonly Vector[], radius: number, sides = 10): 
     let normal = anyNormal(tangentAt(points, 0));
     for (const [ring, center] of points.entries()) {
         const tangent = tangentAt(points, ring);
+        const wide = typeof radius === 'number' ? radius : (radius[kept[ring] ?? 0] ?? 0);
         const along = dot(normal, tangent);
         const square = subtract(normal, [
             along * tangent[0],
@@ -87,7 +93,7 @@ export function buildTube(line: readonly Vector[], radius: number, sides = 10): 
             for (const axis of [0, 1, 2] as const) {
                 const outwards = Math.cos(angle) * normal[axis] + Math.sin(angle) * binormal[axis];
                 normals[base + axis] = outwards;
-                positions[base + axis] = center[axis] + radius * outwards;
+                positions[base + axis] = center[axis] + wide * outwards;
             }
         }
     }

@@ -2,6 +2,7 @@ import { Group } from 'three';
 
 import type { UpAxis } from '../api/elements';
 import { element } from '../page/element';
+import { say } from '../words/say';
 
 /** What is offered; x too where a file says so, which few do. */
 const kAxes: readonly UpAxis[] = ['y', 'z'];
@@ -25,9 +26,9 @@ export function upControl(first: UpAxis, onChange: (up: UpAxis) => void): HTMLEl
             type: 'button',
             value: axis,
             'aria-pressed': String(axis === first),
-            title: `Show the model with its ${axis} axis up`,
+            title: say('Show the model with its {axis} axis up', { axis }),
         });
-        button.append(`${axis} up`);
+        button.append(say('{axis} up', { axis }));
         button.addEventListener('click', () => {
             for (const each of buttons) {
                 each.setAttribute('aria-pressed', String(each === button));
@@ -38,7 +39,7 @@ export function upControl(first: UpAxis, onChange: (up: UpAxis) => void): HTMLEl
     });
     return element(
         'div',
-        { class: 'segmented up-control', role: 'group', 'aria-label': 'Axis that points up' },
+        { class: 'segmented up-control', role: 'group', 'aria-label': say('Axis that points up') },
         buttons,
     );
 }

@@ -3,6 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { createClient, evaluationPath, kAllModels, pathOf } from '../../src/api/client';
 import { ApiError } from '../../src/api/problem';
 import { kSearchDefaults } from '../../src/api/search_parameters';
+import type { SentForm } from '../../src/api/send_form';
 import { searchResult } from '../sample';
 
 function answering(body: unknown, init: ResponseInit = {}) {
@@ -21,20 +22,19 @@ const kSeven = { kind: 'model', id: 7 } as const;
 
 describe('the client', () => {
     it('uploads the file under its own name and asks for its mesh', async () => {
-        const fetch = answering(searchResult());
+        const send = vi.fn(async (_form: SentForm) => Response.json(searchResult()));
         const file = new File(['OFF\n0 0 0\n'], 'elephant.off');
-        const result = await createClient({ fetch }).search(file, {
-            ...kSearchDefaults,
-            pose: 0.4,
-            className: 'four legs',
-        });
-        const { path, init } = asked(fetch);
+        const onSent = vi.fn();
+        const parameters = { ...kSearchDefaults, pose: 0.4, className: 'four legs' };
+        const result = await createClient({ send }).search(file, parameters, undefined, onSent);
+        const form = send.mock.calls[0]?.[0] as SentForm;
+        const path = new URL(form.path, 'http://server');
+        expect(form.onSent).toBe(onSent);
         expect(path.pathname).toBe('/v1/search');
         expect(path.searchParams.get('include')).toBe('mesh');
         expect(path.searchParams.get('pose')).toBe('0.4');
         expect(path.searchParams.get('class')).toBe('four legs');
-        expect(init.method).toBe('POST');
-        const sent = (init.body as FormData).get('model') as File;
+        const sent = form.body.get('model') as File;
         expect(sent.name).toBe('elephant.off');
         expect(await sent.text()).toBe('OFF\n0 0 0\n');
         expect(result.hits).toHaveLength(2);

@@ -17,7 +17,8 @@ function* variants(): Generator<SearchParameters> {
                 for (const className of ['', 'human', 'a & b=c#d/ü']) {
                     const size = rerank ? 1 : 0;
                     const rest = { part: !rerank, fold: pose < 0.5, limit: 48, className };
-                    yield { ranker, pose, size, rerank, ...rest };
+                    const where = { folder: className, kind: rerank ? 'stl' : '' };
+                    yield { ranker, pose, size, rerank, ...rest, ...where };
                 }
             }
         }

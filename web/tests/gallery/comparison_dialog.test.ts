@@ -30,6 +30,8 @@ function opened(methods: Parameters<typeof clientWith>[0], onClose = vi.fn(), on
             hit: hit(1),
             nearness: 'very close',
             partsHref: '#/models/101/parts',
+            lookHref: '#/models/101/look',
+            onFind: vi.fn(),
             onPrevious: null,
             onNext,
             onClose,

@@ -1,3 +1,4 @@
+import { Selection } from '../../src/page/selection';
 import { expect, it } from 'vitest';
 
 import { hitCard } from '../../src/gallery/hit_card';
@@ -9,6 +10,7 @@ it('shows rank, name, class and distance and leads to the comparison', () => {
         like: { build: '#b', pose: '#p' },
         partNames: ['skeleton', 'moments'],
         nearness: null,
+        selection: new Selection(),
     });
     const link = card.querySelector('a');
     expect(link?.getAttribute('href')).toBe('#/models/7/hits/102');
@@ -20,7 +22,11 @@ it('shows rank, name, class and distance and leads to the comparison', () => {
 
 it('says in a word how near it is, and in a number on demand', () => {
     const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [] };
-    const card = hitCard(hit(1, { distance: 0.3 }), { ...options, nearness: 'related' });
+    const card = hitCard(hit(1, { distance: 0.3 }), {
+        ...options,
+        nearness: 'related',
+        selection: new Selection(),
+    });
     const figure = card.querySelector('.number');
     expect(figure?.textContent).toBe('Distance related');
     expect(figure?.getAttribute('title')).toContain('0.300');
@@ -28,7 +34,11 @@ it('says in a word how near it is, and in a number on demand', () => {
 
 it('says how many copies it stands for, and where it lies', () => {
     const options = { href: '#', like: { build: '#b', pose: '#p' }, partNames: [] };
-    const card = hitCard(hit(1, { copies: 144 }), { ...options, nearness: null });
+    const card = hitCard(hit(1, { copies: 144 }), {
+        ...options,
+        nearness: null,
+        selection: new Selection(),
+    });
     expect(card.querySelector('.card-copies')?.textContent).toBe(' ×145');
     expect(card.querySelector('.card-file')?.textContent).toBe('chairs');
 });
@@ -39,6 +49,7 @@ it('draws no bar where all distances are zero', () => {
         like: { build: '#b', pose: '#p' },
         partNames: [],
         nearness: 'same',
+        selection: new Selection(),
     });
     const bar = card.querySelector<HTMLElement>('.parts-bar');
     expect(bar?.style.getPropertyValue('--length')).toBe('0.0000');
@@ -50,6 +61,7 @@ it('shows how far the hit is in build and in pose, and leads to its likes in eit
         like: { build: '#b', pose: '#p' },
         partNames: [],
         nearness: 'far' as const,
+        selection: new Selection(),
     };
     const card = hitCard(hit(1, { build_difference: 0.4, pose_difference: 3 }), options);
     const bars = [...card.querySelectorAll<HTMLElement>('.difference-bar')].map((bar) =>

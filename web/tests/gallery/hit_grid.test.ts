@@ -1,11 +1,14 @@
 import { expect, it } from 'vitest';
 
 import { hitGrid } from '../../src/gallery/hit_grid';
+import { Selection } from '../../src/page/selection';
 import { hit, searchResult } from '../sample';
 
 const kLinks = {
     hrefOf: ({ id }: { id: number }) => `#${id}`,
     likeOf: () => ({ build: '#b', pose: '#p' }),
+    selection: new Selection(),
+    onMore: null,
 };
 
 it('keeps the order of the hits, and measures the bars by one scale in every search', () => {

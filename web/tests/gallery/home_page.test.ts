@@ -33,5 +33,6 @@ it('searches with the chosen file as its options say', async () => {
         expect.objectContaining({ name: 'elephant.off' }),
         context.parameters,
         expect.anything(),
+        expect.any(Function),
     );
 });

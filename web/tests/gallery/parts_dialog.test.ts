@@ -21,6 +21,7 @@ function opened(methods: Parameters<typeof clientWith>[0]) {
             up: 'y',
             posed: '',
             onPose: vi.fn(),
+            onFind: vi.fn(),
             onClose: vi.fn(),
         },
         clientWith(methods),

@@ -19,6 +19,18 @@ it('counts the time until it is taken down', () => {
     expect(elapsed()).toBe('21 s');
 });
 
+it('tells the stage, and how far it is where that is known', () => {
+    const { node, stage, dispose } = progress({ message: 'Searching' });
+    const bar = node.querySelector('.progress-bar');
+    stage('Sending', 0.45);
+    expect(node.textContent).toContain('Sending');
+    expect(bar?.getAttribute('aria-valuenow')).toBe('45');
+    stage('Ranking', null);
+    expect(node.textContent).toContain('Ranking');
+    expect(bar?.hasAttribute('aria-valuenow')).toBe(false);
+    dispose();
+});
+
 it('can be cancelled', () => {
     const onCancel = vi.fn();
     const { node, dispose } = progress({ onCancel });

@@ -14,19 +14,29 @@ it('shows figures and notes, and says plainly where there is no WebGL', async ()
         mesh: kMesh,
         up: 'y',
         partsHref: '#/models/7/parts',
+        lookHref: '#/models/7/look',
         takeAway: null,
     });
     expect(panel.node.textContent).toContain('12,345');
     expect(panel.node.textContent).toContain('3 degenerate faces');
     expect(panel.node.querySelector('.no-webgl')).not.toBeNull();
-    expect(panel.node.querySelector('a')?.getAttribute('href')).toBe('#/models/7/parts');
+    expect([...panel.node.querySelectorAll('a')].map((a) => a.getAttribute('href'))).toEqual([
+        '#/models/7/look',
+        '#/models/7/parts',
+    ]);
     panel.dispose();
 });
 
 it('says how large the query is, in the unit of its file', async () => {
     const panel = queryPanel();
     const query = { ...searchResult().query, unit: 'mm' };
-    await panel.show(query, { mesh: kMesh, up: 'y', partsHref: null, takeAway: null });
+    await panel.show(query, {
+        mesh: kMesh,
+        up: 'y',
+        partsHref: null,
+        lookHref: '#',
+        takeAway: null,
+    });
     expect(panel.node.textContent).toContain('3 × 1 × 1 mm');
     panel.dispose();
 });
@@ -37,10 +47,10 @@ it('shows nothing any more after it was taken down', async () => {
         mesh: kMesh,
         up: 'y',
         partsHref: null,
+        lookHref: '#/models/7/look',
         takeAway: null,
     });
     panel.dispose();
     await shown;
     expect(panel.node.querySelector('.no-webgl')).toBeNull();
-    expect(panel.node.querySelector('a')).toBeNull();
 });

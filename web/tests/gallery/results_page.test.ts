@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Client } from '../../src/api/client';
 import { ApiError, unreachable } from '../../src/api/problem';
 import { kSearchDefaults } from '../../src/api/search_parameters';
+import type { Comparison } from '../../src/api/types';
 import { resultsPage } from '../../src/gallery/results_page';
 import type { Page } from '../../src/page/context';
 import { type Route, resultsOf } from '../../src/page/routes';
@@ -73,6 +74,43 @@ it('leads from a hit to its neighbours in the list', async () => {
     expect(context.titles.at(-1)).toBe('elephant ↔ hit2');
 });
 
+it('compares any two models of the collection, also those that are no hits of each other', async () => {
+    const { match, parts } = hit(1);
+    const found: Comparison = {
+        a: model(7),
+        b: model(999, { name: 'far away' }),
+        ranker: 'hybrid',
+        distance: 1.5,
+        part: false,
+        parts,
+        build_difference: 1,
+        pose_difference: 1,
+        matched_nodes: 2,
+        match,
+        skeletons: { a: kSkeleton, b: kSkeleton },
+    };
+    const compare = vi.fn(async () => found);
+    page = resultsPage(route(999), contextWith({ ...client(), compare }));
+    await settled();
+    expect(compare).toHaveBeenCalledOnce();
+    expect(document.querySelector('dialog h2')?.textContent).toContain('far away');
+    expect(document.querySelector('#next-hit')?.getAttribute('aria-disabled')).toBe('true');
+});
+
+it('asks for more hits in place of these, as long as there may be more', async () => {
+    const context = contextWith(client());
+    page = resultsPage({ ...route(), parameters: { ...kSearchDefaults, limit: 3 } }, context);
+    await settled();
+    page.node.querySelector<HTMLButtonElement>('.more-hits')?.click();
+    expect(context.visited).toEqual([
+        { ...route(), parameters: { ...kSearchDefaults, limit: 12 } },
+    ]);
+    page.dispose();
+    page = resultsPage({ ...route(), parameters: { ...kSearchDefaults, limit: 4 } }, context);
+    await settled();
+    expect(page.node.querySelector('.more-hits')).toBeNull();
+});
+
 it('goes back to the hits from one that is not among them', async () => {
     const context = contextWith(client());
     page = resultsPage(route(999), context);
@@ -120,7 +158,7 @@ describe('an upload', () => {
         await settled();
         expect(page.node.querySelectorAll('.hit-card')).toHaveLength(1);
         expect(search).toHaveBeenCalledOnce();
-        expect(page.node.querySelector('.query-text a')?.getAttribute('href')).toBe(
+        expect(page.node.querySelector('.query-text a[href*=parts]')?.getAttribute('href')).toBe(
             `#/q/${kToken}/parts`,
         );
     });

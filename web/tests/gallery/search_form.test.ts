@@ -2,7 +2,7 @@ import { expect, it, vi } from 'vitest';
 
 import { kSearchDefaults, type SearchParameters } from '../../src/api/search_parameters';
 import { searchForm } from '../../src/gallery/search_form';
-import { KnownClasses } from '../../src/page/known_classes';
+import { KnownFacets } from '../../src/page/known_facets';
 import { clientWith } from '../sample';
 
 const kOther: SearchParameters = {
@@ -14,12 +14,14 @@ const kOther: SearchParameters = {
     fold: false,
     limit: 96,
     className: 'table',
+    folder: 'old/oak',
+    kind: 'stl',
 };
 
 it.each([kSearchDefaults, kOther, { ...kSearchDefaults, limit: 7 }])(
     'shows the parameters that it was given: %j',
     (parameters) => {
-        expect(searchForm(new KnownClasses(clientWith({})), { parameters }).parameters).toEqual(
+        expect(searchForm(new KnownFacets(clientWith({})), { parameters }).parameters).toEqual(
             parameters,
         );
     },
@@ -27,7 +29,7 @@ it.each([kSearchDefaults, kOther, { ...kSearchDefaults, limit: 7 }])(
 
 it('tells of a choice once it is made', () => {
     const onChange = vi.fn();
-    const { node } = searchForm(new KnownClasses(clientWith({})), { onChange });
+    const { node } = searchForm(new KnownFacets(clientWith({})), { onChange });
     document.body.append(node);
     const pose = node.querySelector<HTMLInputElement>('[name=pose]');
     if (!pose) {
@@ -44,7 +46,7 @@ it('tells of a choice once it is made', () => {
 
 it('does not leave the page on Enter', () => {
     const onChange = vi.fn();
-    const { node } = searchForm(new KnownClasses(clientWith({})), { parameters: kOther, onChange });
+    const { node } = searchForm(new KnownFacets(clientWith({})), { parameters: kOther, onChange });
     const submit = new Event('submit', { cancelable: true });
     node.dispatchEvent(submit);
     expect(submit.defaultPrevented).toBe(true);
@@ -52,7 +54,7 @@ it('does not leave the page on Enter', () => {
 });
 
 it('labels every control', () => {
-    const { node } = searchForm(new KnownClasses(clientWith({})));
+    const { node } = searchForm(new KnownFacets(clientWith({})));
     for (const control of node.querySelectorAll('input, select')) {
         expect(control.closest('label')?.textContent?.trim()).toBeTruthy();
     }

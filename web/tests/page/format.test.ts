@@ -17,7 +17,7 @@ describe('formats', () => {
         expect(formatCount(12345)).toBe('12,345');
         expect(formatPlural(1, 'branch', 'branches')).toBe('1 branch');
         expect(formatPlural(0, 'branch', 'branches')).toBe('0 branches');
-        expect(formatPlural(2000, 'model')).toBe('2,000 models');
+        expect(formatPlural(2000, 'model', 'models')).toBe('2,000 models');
     });
 
     it('keep neighbours of a ranked list apart', () => {

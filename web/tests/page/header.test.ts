@@ -13,6 +13,8 @@ it('marks the page that is shown, and only that', () => {
     expect(current()).toEqual(['Reports']);
     show(resultsOf({ kind: 'upload' }));
     expect(current()).toEqual(['Search']);
+    show({ page: 'manage' });
+    expect(current()).toEqual(['Manage']);
     show({ page: 'missing', path: '/x' });
     expect(current()).toEqual([]);
 });

@@ -42,6 +42,8 @@ function* routes(): Generator<Route> {
                     fold: false,
                     limit: 96,
                     className: 'ü &=',
+                    folder: '',
+                    kind: '',
                 },
                 over,
             );

@@ -16,7 +16,10 @@ it('shows six figures for each ranker, marks the best, and links the curve’s f
     for (const row of rows) {
         expect(row.querySelectorAll('td.number')).toHaveLength(6);
     }
-    expect([...node.querySelectorAll('.best')].map((cell) => cell.textContent)).toEqual(['0.900']);
+    expect([...node.querySelectorAll('.best')].map((cell) => cell.firstChild?.textContent)).toEqual(
+        ['0.900'],
+    );
+    expect(node.querySelector('.interval')?.textContent).toBe('0.400–0.600');
     const links = [...node.querySelectorAll('a')].map((link) => link.getAttribute('href'));
     expect(links).toContain('/v1/evaluations/chain-code.csv');
     expect(links).toContain('/v1/evaluations/hybrid.svg');

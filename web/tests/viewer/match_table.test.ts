@@ -18,30 +18,39 @@ it('lists each pair with its number, both lengths and its cost', () => {
         query: kSkeleton,
         hit: kSkeleton,
         onChoose: () => {},
+        onFind: () => {},
     });
     const rows = [...node.querySelectorAll('tbody tr')].map((row) =>
         [...row.children].map((cell) => cell.textContent),
     );
     expect(rows).toEqual([
-        ['1', '75.0 %', '25.0 %', '0.125'],
-        ['2', '25.0 %', '75.0 %', '0.250'],
+        ['1', '75.0 %', '25.0 %', '0.125', 'Find'],
+        ['2', '25.0 %', '75.0 %', '0.250', 'Find'],
     ]);
 });
 
 it('points at a pair by pointer and by keyboard alike', () => {
     const onChoose = vi.fn();
-    const { node } = matchTable({ colors: kColors, query: kSkeleton, hit: kSkeleton, onChoose });
+    const onFind = vi.fn();
+    const { node } = matchTable({
+        colors: kColors,
+        query: kSkeleton,
+        hit: kSkeleton,
+        onChoose,
+        onFind,
+    });
     const row = node.querySelector('tbody tr');
-    expect(row?.getAttribute('tabindex')).toBe('0');
     for (const [type, pair] of [
         ['pointerenter', kColors.pairs[0]],
         ['pointerleave', null],
-        ['focus', kColors.pairs[0]],
-        ['blur', null],
+        ['focusin', kColors.pairs[0]],
+        ['focusout', null],
     ] as const) {
         row?.dispatchEvent(new Event(type));
         expect(onChoose).toHaveBeenLastCalledWith(pair);
     }
+    row?.querySelector('button')?.click();
+    expect(onFind).toHaveBeenLastCalledWith(kColors.pairs[0]);
 });
 
 it('marks the row of the pair that is pointed at elsewhere', () => {
@@ -50,6 +59,7 @@ it('marks the row of the pair that is pointed at elsewhere', () => {
         query: kSkeleton,
         hit: kSkeleton,
         onChoose: () => {},
+        onFind: () => {},
     });
     const marked = () =>
         [...table.node.querySelectorAll('tr.chosen th')].map((th) => th.textContent);
@@ -66,6 +76,7 @@ it('says that nothing matches, and copes with branches that are not there', () =
         query: kSkeleton,
         hit: kSkeleton,
         onChoose: () => {},
+        onFind: () => {},
     });
     expect(none.node.textContent).toContain('No branches match');
     const unknown = assignBranchColors([{ a: 77, b: 78, cost: 1 }], []);
@@ -74,6 +85,7 @@ it('says that nothing matches, and copes with branches that are not there', () =
         query: kSkeleton,
         hit: kSkeleton,
         onChoose: () => {},
+        onFind: () => {},
     });
     expect(table.node.querySelector('tbody td')?.textContent).toBe('–');
 });

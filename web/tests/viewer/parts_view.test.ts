@@ -13,6 +13,7 @@ it('keeps its legend where there is no WebGL', async () => {
         up: 'z',
         posed: '',
         onPose: () => {},
+        onFind: () => {},
     });
     expect(view.node.querySelector('.no-webgl')).not.toBeNull();
     expect(view.node.querySelectorAll('.part-legend tbody tr')).toHaveLength(2);

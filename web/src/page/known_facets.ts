@@ -3,20 +3,25 @@ import { kAllModels } from '../api/client';
 import type { Facets } from '../api/types';
 
 export type FacetValues = Facets['classes'];
+export type FacetName = 'classes' | 'folders' | 'kinds';
 
-/** The classes of the collection with their numbers of models, asked for once. */
-export class KnownClasses {
+/** What the models of the collection are like, with their numbers, asked for once. */
+export class KnownFacets {
     private readonly client_: Client;
     private readonly listeners_ = new Set<() => void>();
-    private values_: FacetValues = [];
+    private values_: Readonly<Record<FacetName, FacetValues>> = {
+        classes: [],
+        folders: [],
+        kinds: [],
+    };
     private asked_ = false;
 
     constructor(client: Client) {
         this.client_ = client;
     }
 
-    get values(): FacetValues {
-        return this.values_;
+    values(facet: FacetName): FacetValues {
+        return this.values_[facet];
     }
 
     /** Returns what ends the subscription. */
@@ -31,9 +36,9 @@ export class KnownClasses {
 
     private async ask(): Promise<void> {
         try {
-            this.values_ = (await this.client_.facets(kAllModels)).classes;
+            this.values_ = await this.client_.facets(kAllModels);
         } catch {
-            // The next subscriber asks again: without classes one can still search in all.
+            // The next subscriber asks again: without them one can still search in all.
             this.asked_ = false;
             return;
         }

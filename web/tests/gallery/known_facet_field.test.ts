@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 
-import { classField } from '../../src/gallery/class_field';
-import { KnownClasses } from '../../src/page/known_classes';
+import { knownFacetField } from '../../src/gallery/known_facet_field';
+import { KnownFacets } from '../../src/page/known_facets';
 import { clientWith, kNoFacets, settled } from '../sample';
 
 it('offers the classes of the collection with their numbers, and keeps the chosen one', async () => {
@@ -14,7 +14,7 @@ it('offers the classes of the collection with their numbers, and keeps the chose
             ],
         }),
     });
-    const { node, select, dispose } = classField('chair', new KnownClasses(client));
+    const { node, select, dispose } = knownFacetField('classes', 'chair', new KnownFacets(client));
     const offered = () => [...node.querySelectorAll('option')].map((option) => option.textContent);
     expect(offered()).toEqual(['All classes', 'chair']);
     await settled();
