@@ -36,7 +36,7 @@ std::vector<PointMatch> matches_of(const LocalFeatures& piece, const LocalFeatur
                 }
                 PointMatch best{p, 0, scale, std::numeric_limits<int>::max()};
                 for (std::uint32_t w = 0; w < whole.points.size(); ++w) {
-                    const int distance = squared_distance(feature, whole.at(w, s));
+                    const int distance = piece_distance(feature, whole.at(w, s));
                     if (distance < best.distance) {
                         best.distance = distance;
                         best.whole = w;

@@ -162,6 +162,22 @@ int squared_distance(const LocalFeature& a, const LocalFeature& b) {
     return sum;
 }
 
+int piece_distance(const LocalFeature& piece, const LocalFeature& whole) {
+    int more = 0;
+    int all = 0;
+    for (std::size_t shell = 0; shell < LocalFeature::kShells; ++shell) {
+        const std::size_t first = shell * LocalFeature::kPerShell;
+        for (std::size_t i = first; i < first + LocalFeature::kPerShell; ++i) {
+            const int difference =
+                static_cast<int>(piece.values[i]) - static_cast<int>(whole.values[i]);
+            const int excess = i < first + kHeights + kTurns ? std::max(difference, 0) : 0;
+            more += excess * excess;
+            all += difference * difference;
+        }
+    }
+    return more + (all - more) / 5;
+}
+
 LocalFeatures local_features(const SurfacePoints& surface, const NearestPoint& nearest,
                              std::size_t count, std::vector<double> radii) {
     LocalFeatures result;

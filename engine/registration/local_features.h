@@ -42,6 +42,11 @@ struct LocalFeatures {
 /// Squared Euclidean distance of two features' bytes.
 [[nodiscard]] int squared_distance(const LocalFeature& a, const LocalFeature& b);
 
+/// How far the surroundings of a piece's point are from being part of those of a whole's point:
+/// what the whole has more counts a fifth, since the piece ends somewhere, and so do harmonics,
+/// which that changes too.
+[[nodiscard]] int piece_distance(const LocalFeature& piece, const LocalFeature& whole);
+
 /// Features at `count` points that are spread as far from each other as they can be (farthest
 /// point sampling), for each of the radii (ascending, model units). Deterministic.
 [[nodiscard]] LocalFeatures local_features(const SurfacePoints& surface,

@@ -1,6 +1,7 @@
 #include "engine/registration/surface_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nanoflann.hpp>
 #include <utility>
 
@@ -18,6 +19,7 @@ SurfacePoints surface_points(const mesh::TriangleMesh& mesh, const SurfacePoints
     surface.area = measures.surface_area;
     surface.diagonal = measures.diagonal;
     surface.center = measures.area_centroid;
+    if (!std::isfinite(surface.area) || !surface.center.allFinite()) return surface;
     const auto samples =
         mesh::sample_surface(outwards, {.count = options.count, .seed = options.seed});
     surface.points.reserve(samples.size());
@@ -41,8 +43,9 @@ SurfacePoints thinned_out(const SurfacePoints& surface, std::size_t count) {
 }
 
 struct NearestPoint::Tree {
-    explicit Tree(const std::vector<Vec3>& points) : set{points}, index(3, set, {16}) {}
+    explicit Tree(const std::vector<Vec3>& points) : kept(points), set{kept}, index(3, set, {16}) {}
 
+    std::vector<Vec3> kept;
     voxel::PointSet set;
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, voxel::PointSet>,
                                         voxel::PointSet, 3, std::uint32_t>

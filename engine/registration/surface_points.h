@@ -26,14 +26,14 @@ struct SurfacePointsOptions {
 };
 
 /// Area-weighted and stratified (sample_surface.h); the same for the same seed. No points for a
-/// mesh without area.
+/// mesh without area, or with more than numbers can hold.
 [[nodiscard]] SurfacePoints surface_points(const mesh::TriangleMesh& mesh,
                                            const SurfacePointsOptions& options = {});
 
 /// Every so many of the points, at most `count`, with the measures of the whole.
 [[nodiscard]] SurfacePoints thinned_out(const SurfacePoints& surface, std::size_t count);
 
-/// Finds the nearest of points, which have to outlive it.
+/// Finds the nearest of points, of which it keeps a copy.
 class NearestPoint {
 public:
     struct Found {
