@@ -16,12 +16,12 @@ struct BlobKind {
     std::uint8_t version = 1;
 };
 
-inline constexpr BlobKind kSkeletonBlob{"SKEL", 1};
+inline constexpr BlobKind kSkeletonBlob{"SKEL", 2};
 inline constexpr BlobKind kDescriptorBlob{"DESC", 3};
-inline constexpr BlobKind kGlobalsBlob{"GLOB", 2};
+inline constexpr BlobKind kGlobalsBlob{"GLOB", 3};
 inline constexpr BlobKind kSignatureBlob{"SIGN", 1};
-inline constexpr BlobKind kPreviewBlob{"MESH", 3};
-inline constexpr BlobKind kSegmentsBlob{"PART", 1};
+inline constexpr BlobKind kPreviewBlob{"MESH", 4};
+inline constexpr BlobKind kSegmentsBlob{"PART", 2};
 inline constexpr BlobKind kThumbnailBlob{"THUM", 1};
 inline constexpr BlobKind kStatisticsBlob{"STAT", 1};
 inline constexpr BlobKind kEvaluationBlob{"EVAL", 1};

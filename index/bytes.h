@@ -38,6 +38,16 @@ public:
         bytes_.append(text);
     }
     void put_raw(std::string_view bytes) { bytes_.append(bytes); }
+    /// Seven bits a byte, the lowest first; all but the last byte have the eighth bit.
+    void put_varint(std::uint64_t value) {
+        for (; value >= 0x80; value >>= 7) bytes_ += static_cast<char>(0x80 | (value & 0x7F));
+        bytes_ += static_cast<char>(value);
+    }
+    /// A signed number: 0, -1, 1, -2 … as the varints 0, 1, 2, 3 …
+    void put_signed(std::int64_t value) {
+        put_varint((static_cast<std::uint64_t>(value) << 1) ^
+                   static_cast<std::uint64_t>(value >> 63));
+    }
 
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
     [[nodiscard]] std::string take() && { return std::move(bytes_); }
@@ -92,6 +102,29 @@ public:
         values.reserve(count);
         for (std::size_t i = 0; i < count; ++i) values.push_back(get<T>());
         return values;
+    }
+    /// Only as put_varint writes them: at most ten bytes, none too many.
+    std::uint64_t get_varint() {
+        std::uint64_t value = 0;
+        for (unsigned shift = 0; shift < 64; shift += 7) {
+            const auto byte = get<std::uint8_t>();
+            const bool too_much = (shift == 63 && byte > 1) || (shift > 0 && byte == 0);
+            if (!ok_ || too_much) break;
+            value |= std::uint64_t{byte & 0x7FU} << shift;
+            if (byte < 0x80) return value;
+        }
+        ok_ = false;
+        return 0;
+    }
+    std::int64_t get_signed() {
+        const std::uint64_t value = get_varint();
+        return static_cast<std::int64_t>((value >> 1) ^ (~(value & 1) + 1));
+    }
+    [[nodiscard]] std::size_t left() const { return rest_.size(); }
+    /// For what a decoder finds wrong: from now on not ok.
+    void fail() {
+        ok_ = false;
+        rest_ = {};
     }
     std::string get_text() { return std::string(get_raw(get_count(1))); }
     /// Exactly `count` bytes, or none.

@@ -11,8 +11,39 @@ namespace ossuary::index {
 
 namespace {
 
-/// As many parts as a label of one byte can tell apart.
+/// As many parts as a label of one byte can tell apart, in version 1.
 constexpr std::size_t kNarrowParts = 256;
+
+/// Previews have some thousand triangles; no file makes a reader hold more than so many labels.
+constexpr std::uint32_t kMostLabels = std::uint32_t{1} << 20;
+
+/// Stretches of equal labels: the label, and how many there are after the first.
+void put_runs(ByteWriter& writer, const std::vector<std::uint32_t>& labels) {
+    for (std::size_t begin = 0; begin < labels.size();) {
+        std::size_t end = begin + 1;
+        while (end < labels.size() && labels[end] == labels[begin]) ++end;
+        writer.put_varint(labels[begin]);
+        writer.put_varint(end - begin - 1);
+        begin = end;
+    }
+}
+
+std::vector<std::uint32_t> get_runs(ByteReader& reader) {
+    const auto count = reader.get<std::uint32_t>();
+    if (count > kMostLabels) reader.fail();
+    std::vector<std::uint32_t> labels;
+    while (reader.ok() && labels.size() < count) {
+        const std::uint64_t label = reader.get_varint();
+        const std::uint64_t more = reader.get_varint();
+        const bool joined = !labels.empty() && labels.back() == label;
+        if (!reader.ok() || label > 0xFFFFFFFFU || joined || more >= count - labels.size()) {
+            reader.fail();
+            break;
+        }
+        labels.insert(labels.end(), more + 1, static_cast<std::uint32_t>(label));
+    }
+    return labels;
+}
 
 /// What is wrong with a part, if anything.
 std::string_view fault_of(const decomposition::Decomposition::Part& part, std::uint32_t number,
@@ -39,13 +70,7 @@ std::string encode_segments(const ModelSegments& segments) {
         writer.put_all<std::uint32_t>(part.neighbors);
     }
     writer.put(static_cast<std::uint32_t>(segments.labels.size()));
-    if (segments.parts.size() > kNarrowParts) {
-        writer.put_all<std::uint32_t>(segments.labels);
-    } else {
-        for (const std::uint32_t label : segments.labels) {
-            writer.put(static_cast<std::uint8_t>(label));
-        }
-    }
+    put_runs(writer, segments.labels);
     return seal_blob(kSegmentsBlob, writer.bytes());
 }
 
@@ -64,7 +89,9 @@ Result<ModelSegments> decode_segments(std::string_view blob) {
         const std::string_view fault = fault_of(part, p, segments.parts.size());
         if (!fault.empty()) return corrupt_blob(kSegmentsBlob, fault);
     }
-    if (segments.parts.size() > kNarrowParts) {
+    if (blob_version(blob) >= 2) {
+        segments.labels = get_runs(reader);
+    } else if (segments.parts.size() > kNarrowParts) {
         segments.labels = reader.get_all<std::uint32_t>(reader.get_count(4));
     } else {
         const auto labels = reader.get_all<std::uint8_t>(reader.get_count(1));

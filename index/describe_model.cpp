@@ -14,6 +14,7 @@
 #include "index/content_hash.h"
 #include "index/model_segments.h"
 #include "index/preview.h"
+#include "index/round_skeleton.h"
 #include "index/turn_model.h"
 #include "index/upright.h"
 
@@ -38,7 +39,9 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
     if (!read) return read.error();
     const mesh::TriangleMesh& mesh = read->mesh;
     if (stop.stop_requested()) return describing_cancelled(source.name);
-    auto description = descriptor::describe(mesh, describe_options(parameters), stop);
+    descriptor::DescribeOptions describing = describe_options(parameters);
+    describing.jobs = 1;  // whoever describes many models has threads for them
+    auto description = descriptor::describe(mesh, describing, stop);
     if (!description) return description.error();
 
     NewModel model;
@@ -52,7 +55,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
     model.summary.warnings.insert(model.summary.warnings.end(), description->warnings.begin(),
                                   description->warnings.end());
     model.descriptor = std::move(description->descriptor);
-    model.skeleton = std::move(description->skeleton);
+    model.skeleton = round_skeleton(std::move(description->skeleton));
     const mesh::TriangleMesh& body = description->body.of(mesh);
     const mesh::TriangleMesh coarse =
         mesh::decimate(body, {.max_triangles = kPreviewTriangles}, stop);

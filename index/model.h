@@ -36,7 +36,7 @@ struct IndexParameters {
     bool operator==(const IndexParameters&) const = default;
 };
 
-/// The stages' options that `parameters` stand for.
+/// The stages' options that `parameters` stand for, with all threads of the machine for one model.
 [[nodiscard]] descriptor::DescribeOptions describe_options(const IndexParameters& parameters);
 
 /// Which way a model stands: by what axis of its file, and whether a person has said so or the

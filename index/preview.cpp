@@ -1,10 +1,12 @@
 #include "index/preview.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "engine/mesh/colours_on.h"
 #include "engine/mesh/measures.h"
+#include "index/grid_numbers.h"
 
 namespace ossuary::index {
 namespace {
@@ -58,6 +60,23 @@ PreviewColours preview_colours(const mesh::TriangleMesh& mesh) {
     return colours;
 }
 
+/// The multiples of a power of two that part a model's longest side in 8,192 to 16,384 steps: less
+/// than an eighth of a pixel each where it fills a screen.
+class PreviewGrid {
+public:
+    /// @param reach  the greatest of the coordinates
+    explicit PreviewGrid(double reach) {
+        if (reach > 0.0 && std::isfinite(reach)) exponent_ = std::ilogb(reach) - 12;
+    }
+    [[nodiscard]] float nearest(double coordinate) const {
+        const double most = grid_number(0x7FFF, exponent_);
+        return static_cast<float>(round_to_grid(std::clamp(coordinate, -most, most), exponent_));
+    }
+
+private:
+    int exponent_ = 0;
+};
+
 /// @pre the colours fit the preview
 std::vector<CornerColours> corner_colours(const PreviewMesh& preview) {
     using Of = PreviewColours::Of;
@@ -81,11 +100,12 @@ PreviewMesh make_preview(const mesh::TriangleMesh& coarse) {
     PreviewMesh preview;
     const Box3 bounds = mesh::measure(coarse).bounds;
     if (!bounds.isEmpty()) preview.origin = bounds.center();
+    const PreviewGrid grid(bounds.isEmpty() ? 0.0 : bounds.sizes().maxCoeff() / 2.0);
     preview.positions.reserve(coarse.vertices.size() * 3);
     for (const Vec3& vertex : coarse.vertices) {
         const Vec3 from_origin = vertex - preview.origin;
         for (const double coordinate : {from_origin.x(), from_origin.y(), from_origin.z()}) {
-            preview.positions.push_back(static_cast<float>(coordinate));
+            preview.positions.push_back(grid.nearest(coordinate));
         }
     }
     preview.triangles.reserve(coarse.triangles.size() * 3);

@@ -16,10 +16,10 @@ fi
 
 build_packages=(
     build-essential ca-certificates ccache cmake git ninja-build pkg-config
-    lib3mf-dev libassimp-dev libbenchmark-dev libcli11-dev libcpp-httplib-dev libdraco-dev libeigen3-dev libembree-dev libexpected-dev
+    lib3mf-dev libassimp-dev libbenchmark-dev libcli11-dev libcpp-httplib-dev libdraco-dev libeigen3-dev libexpected-dev
     libgmock-dev libgtest-dev libmeshoptimizer-dev libnanoflann-dev libopenmesh-dev libpng-dev libspdlog-dev
     libocct-data-exchange-dev libseccomp-dev libsqlite3-dev libsqlitecpp-dev libsystemd-dev libtbb-dev libtinygltf-dev libvalijson-dev libxxhash-dev
-    libyaml-cpp-dev libzip-dev nlohmann-json3-dev prometheus-cpp-dev zlib1g-dev
+    libyaml-cpp-dev libzip-dev libzstd-dev nlohmann-json3-dev prometheus-cpp-dev zlib1g-dev
 )
 check_packages=(chromium clang-format-14 clang-tidy-14 curl python3 zstd)
 sanitizer_packages=(clang-14 libclang-rt-14-dev llvm-14)

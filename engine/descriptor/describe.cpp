@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "engine/core/parallel.h"
 #include "engine/descriptor/body_scale.h"
 #include "engine/descriptor/global_descriptors.h"
 #include "engine/descriptor/signature.h"
@@ -76,29 +81,69 @@ int turned_resolution(const DescribeOptions& options) {
 /// a second or so; ordinary models stay a hundred times below.
 constexpr std::uint64_t kMostWork = std::uint64_t{1} << 28;
 
-/// Appends the model's skeletons on the turned grids.
-/// @param work  that the first grid has cost
+/// What describing a model finds out on the first grid.
+struct FirstGrid {
+    Result<skeleton::Skeleton> made = Error{ErrorCode::kCancelled, "describing was cancelled"};
+    matching::SkeletonDescriptor limbs;
+    std::vector<GlobalDescriptor> globals;  ///< those of the solid
+    StageTimes stage_times;
+    double solid_ms = 0.0;  ///< of them, for `globals`
+};
+
+FirstGrid look_at_first_grid(const mesh::TriangleMesh& mesh, mesh::Body body,
+                             const DescribeOptions& options, const std::stop_token& stop) {
+    FirstGrid first;
+    first.made = skeleton::skeletonize(mesh, std::move(body), options.skeletonize, stop);
+    if (!first.made) return first;
+    const skeleton::Skeleton& skeleton = *first.made;
+    first.stage_times = skeleton.stage_times;
+    Stopwatch watch;
+    const MeasuredSolid solid(skeleton.solid.volume);
+    first.stage_times.push_back({"surface", watch.lap_ms()});
+    if (stop.stop_requested()) return first;
+    first.limbs = describe_limbs(skeleton, solid);
+    first.stage_times.push_back({"describe_skeleton", watch.lap_ms()});
+    first.globals = solid_descriptors(solid.surface, skeleton.solid.volume,
+                                      skeleton.solid.world_from_grid, stop);
+    first.solid_ms = watch.lap_ms();
+    return first;
+}
+
+/// The model's skeleton on a turned grid.
+struct TurnedGrid {
+    std::optional<Result<matching::SkeletonDescriptor>> skeleton;  ///< none where it was not laid
+    std::atomic<std::uint64_t> work = 0;                           ///< that it has cost
+};
+
 /// @param options  without canonical_pose: turned against `voxelize.rotation`
-/// Errors: those of skeletonize.
-Result<void> trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions& options,
-                          std::uint64_t work, std::vector<matching::SkeletonDescriptor>& skeletons,
-                          const std::stop_token& stop) {
+void trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions& options, std::size_t turn,
+                  TurnedGrid& grid, const std::stop_token& stop) {
     assert(!options.skeletonize.canonical_pose);
-    assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
-    const std::array<Mat3, kMaxTurnedGrids> turns = grid_turns();
-    const int resolution = turned_resolution(options);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(options.turned_grids); ++i) {
+    skeleton::SkeletonizeOptions turned = options.skeletonize;
+    turned.voxelize.rotation = turned.voxelize.rotation * grid_turns()[turn];
+    turned.voxelize.resolution = turned_resolution(options);
+    turned.refine.significance = false;  // a tenth of the time, and not looked at
+    const Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, turned, stop);
+    if (!made) {
+        grid.skeleton = Result<matching::SkeletonDescriptor>(made.error());
+        return;
+    }
+    grid.work = made->solid.work;
+    const MeasuredSolid solid(made->solid.volume);
+    grid.skeleton = Result<matching::SkeletonDescriptor>(
+        matching::trace_skeleton(with_tube_radii(made->refined, made->solid.volume), solid.scale));
+}
+
+/// Appends the skeletons of the grids that count: up to the one before which the work was too much.
+/// Errors: those of skeletonize.
+Result<void> take_turned(std::uint64_t work, std::span<TurnedGrid> grids,
+                         std::vector<matching::SkeletonDescriptor>& skeletons) {
+    for (TurnedGrid& grid : grids) {
         if (work > kMostWork) break;
-        skeleton::SkeletonizeOptions turned = options.skeletonize;
-        turned.voxelize.rotation = turned.voxelize.rotation * turns[i];
-        turned.voxelize.resolution = resolution;
-        turned.refine.significance = false;  // a tenth of the time, and not looked at
-        const Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, turned, stop);
-        if (!made) return made.error();
-        work += made->solid.work;
-        const MeasuredSolid solid(made->solid.volume);
-        skeletons.push_back(matching::trace_skeleton(
-            with_tube_radii(made->refined, made->solid.volume), solid.scale));
+        assert(grid.skeleton);
+        if (!*grid.skeleton) return grid.skeleton->error();
+        work += grid.work;
+        skeletons.push_back(**std::move(grid.skeleton));
     }
     return {};
 }
@@ -107,43 +152,57 @@ Result<void> trace_turned(const mesh::TriangleMesh& mesh, const DescribeOptions&
 
 Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& options,
                              std::stop_token stop) {
-    Result<skeleton::Skeleton> made = skeleton::skeletonize(mesh, options.skeletonize, stop);
-    if (!made) return made.error();
-    const skeleton::Skeleton& skeleton = *made;
-    const auto cancelled = [&] { return Error{ErrorCode::kCancelled, "describing was cancelled"}; };
+    const auto cancelled = [] { return Error{ErrorCode::kCancelled, "describing was cancelled"}; };
+    assert(options.turned_grids >= 0 && options.turned_grids <= kMaxTurnedGrids);
+    if (stop.stop_requested()) return cancelled();
+    Stopwatch watch;
+    const mesh::Body body = skeleton::find_body(mesh, options.skeletonize, stop);
+    const double body_ms = watch.lap_ms();
+
+    // The first grid costs about as much as all others, and is begun first.
+    FirstGrid first;
+    std::atomic<std::uint64_t> first_work = 0;
+    std::vector<TurnedGrid> grids(static_cast<std::size_t>(options.turned_grids));
+    const DescribeOptions turned = with_body(body, options);
+    parallel_for(grids.size() + 1, options.jobs, [&](std::size_t i) {
+        if (i == 0) {
+            first = look_at_first_grid(mesh, body, options, stop);
+            first_work = first.made ? first.made->solid.work : kMostWork + 1;
+            return;
+        }
+        // Grids before this one may not be done: whether it counts is decided when all are.
+        std::uint64_t work = first_work;
+        for (std::size_t before = 0; before + 1 < i; ++before) work += grids[before].work;
+        if (work <= kMostWork) trace_turned(body.of(mesh), turned, i - 1, grids[i - 1], stop);
+    });
+    if (!first.made) return first.made.error();
+    if (stop.stop_requested()) return cancelled();
+    const skeleton::Skeleton& skeleton = *first.made;
 
     Description description;
     description.warnings = skeleton.solid.warnings;
-    description.stage_times = skeleton.stage_times;
-    Stopwatch watch;
-    const auto lap = [&](const char* stage) {
-        description.stage_times.push_back({stage, watch.lap_ms()});
-    };
+    description.stage_times = std::move(first.stage_times);
+    description.stage_times.front().milliseconds += body_ms;
+    double waited = watch.lap_ms() - first.solid_ms + body_ms;
+    for (const StageTime& stage : description.stage_times) waited -= stage.milliseconds;
+    description.stage_times.push_back({"turned_skeletons", std::max(waited, 0.0)});
 
-    const MeasuredSolid solid(skeleton.solid.volume);
-    lap("surface");
+    std::vector<matching::SkeletonDescriptor> skeletons = {std::move(first.limbs)};
+    const Result<void> taken = take_turned(skeleton.solid.work, grids, skeletons);
+    if (!taken) return taken.error();
+    description.descriptor.globals = skeleton_descriptors(skeletons, stop);
     if (stop.stop_requested()) return cancelled();
-
-    std::vector<matching::SkeletonDescriptor> skeletons = {describe_limbs(skeleton, solid)};
-    lap("describe_skeleton");
-    const Result<void> traced =
-        trace_turned(skeleton.body.of(mesh), with_body(skeleton.body, options), skeleton.solid.work,
-                     skeletons, stop);
-    if (!traced) return traced.error();
-    lap("turned_skeletons");
-    if (stop.stop_requested()) return cancelled();
-
-    description.descriptor.globals = global_descriptors(
-        solid.surface, skeleton.solid.volume, skeletons, skeleton.solid.world_from_grid, stop);
-    if (stop.stop_requested()) return cancelled();
+    description.descriptor.globals.insert(description.descriptor.globals.end(),
+                                          std::make_move_iterator(first.globals.begin()),
+                                          std::make_move_iterator(first.globals.end()));
     description.descriptor.skeleton = std::move(skeletons.front());
-    lap("global_descriptors");
+    description.stage_times.push_back({"global_descriptors", first.solid_ms + watch.lap_ms()});
 
     description.descriptor.signature =
         preselection_signature(description.descriptor.skeleton, description.descriptor.globals);
-    description.body = std::move(made->body);
     description.skeleton = skeleton::to_world(skeleton.refined, skeleton.solid.world_from_grid);
-    lap("signature");
+    description.body = std::move(first.made->body);
+    description.stage_times.push_back({"signature", watch.lap_ms()});
     return description;
 }
 

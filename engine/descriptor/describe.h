@@ -18,6 +18,7 @@ struct DescribeOptions {
     /// decides anew.
     int turned_grids = 6;
     double turned_resolution = 2.0 / 3.0;  ///< of skeletonize.voxelize.resolution
+    int jobs = 1;  ///< threads that the grids are shared among; 0 = one a hardware thread
 };
 inline constexpr int kMaxTurnedGrids = 6;
 
@@ -31,7 +32,7 @@ struct Description {
     StageTimes stage_times;
 };
 
-/// The whole road from a mesh to its descriptor; deterministic.
+/// The whole road from a mesh to its descriptor; the same, bit by bit, for every number of jobs.
 /// Errors: those of skeletonize.
 Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptions& options = {},
                              std::stop_token stop = {});

@@ -1,6 +1,7 @@
 #include "engine/descriptor/global_descriptors.h"
 
 #include <cassert>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -19,22 +20,36 @@ constexpr int kCellSize = 4;
 constexpr int kGeodesicSources = 16;
 constexpr int kPairSources = 32;
 
+/// How many of the kinds, the first ones, are of skeletons.
+constexpr std::size_t kSkeletonDescriptors = 2;
+
+/// @param first  the kind that the first of `globals` is of
+void add_global(std::size_t first, std::vector<std::uint8_t> values,
+                std::vector<GlobalDescriptor>& globals) {
+    const GlobalDescriptorKind& kind = kGlobalDescriptorKinds[first + globals.size()];
+    assert(values.size() == kind.size);
+    globals.push_back({std::string(kind.name), std::move(values)});
+}
+
 }  // namespace
 
-std::vector<GlobalDescriptor> global_descriptors(
-    const SolidSurface& surface, const voxel::BitVolume& solid,
-    std::span<const matching::SkeletonDescriptor> skeletons, const WorldFromGrid& world,
-    const std::stop_token& stop) {
+std::vector<GlobalDescriptor> skeleton_descriptors(
+    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop) {
+    std::vector<GlobalDescriptor> globals;
+    add_global(0, skeleton_pairs(skeletons, stop), globals);
+    add_global(0, skeleton_layout(skeletons, stop), globals);
+    return globals;
+}
+
+std::vector<GlobalDescriptor> solid_descriptors(const SolidSurface& surface,
+                                                const voxel::BitVolume& solid,
+                                                const WorldFromGrid& world,
+                                                const std::stop_token& stop) {
     const ShellGraph graph = shell_graph(surface, kCellSize);
     std::vector<GlobalDescriptor> globals;
     const auto add = [&](std::vector<std::uint8_t> values) {
-        const GlobalDescriptorKind& kind = kGlobalDescriptorKinds[globals.size()];
-        assert(values.size() == kind.size);
-        globals.push_back({std::string(kind.name), std::move(values)});
+        add_global(kSkeletonDescriptors, std::move(values), globals);
     };
-    add(skeleton_pairs(skeletons, stop));
-    add(skeleton_layout(skeletons, stop));
-    if (stop.stop_requested()) return globals;
     add(view_spectra(surface));
     if (stop.stop_requested()) return globals;
     add(surface_pairs(graph));
@@ -49,6 +64,18 @@ std::vector<GlobalDescriptor> global_descriptors(
     add(thickness_pairs(graph, spread, diameters, scale));
     add(pose_points(graph, scale, world.rotation));
     add(body_size(world.length(scale)));
+    return globals;
+}
+
+std::vector<GlobalDescriptor> global_descriptors(
+    const SolidSurface& surface, const voxel::BitVolume& solid,
+    std::span<const matching::SkeletonDescriptor> skeletons, const WorldFromGrid& world,
+    const std::stop_token& stop) {
+    std::vector<GlobalDescriptor> globals = skeleton_descriptors(skeletons, stop);
+    if (stop.stop_requested()) return globals;
+    std::vector<GlobalDescriptor> of_solid = solid_descriptors(surface, solid, world, stop);
+    globals.insert(globals.end(), std::make_move_iterator(of_solid.begin()),
+                   std::make_move_iterator(of_solid.end()));
     return globals;
 }
 

@@ -66,6 +66,16 @@ enum GlobalPlace : std::size_t {
     kBodySizePlace,
 };
 
+/// Those of kGlobalDescriptorKinds that are of skeletons: the first two.
+std::vector<GlobalDescriptor> skeleton_descriptors(
+    std::span<const matching::SkeletonDescriptor> skeletons, const std::stop_token& stop = {});
+
+/// Those that are of the solid: the others. Parameters as below.
+std::vector<GlobalDescriptor> solid_descriptors(const SolidSurface& surface,
+                                                const voxel::BitVolume& solid,
+                                                const WorldFromGrid& world,
+                                                const std::stop_token& stop = {});
+
 /// All global descriptors of a solid and its skeleton.
 /// @param surface    solid_surface(solid)
 /// @param skeletons  of the same model, made on one grid or several

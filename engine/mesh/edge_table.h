@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,13 @@ struct EdgeTable {
 
 /// Linear in the number of triangles (but for vertices with very many edges, which are sorted).
 EdgeTable build_edge_table(const TriangleMesh& mesh);
+
+/// Edges of more than two triangles; what the table would say, in a third of the time.
+std::size_t count_non_manifold_edges(const TriangleMesh& mesh);
+
+/// Whether no two triangles run along an edge in the same direction, as on a surface that is
+/// oriented and has no edge of more than two triangles.
+bool sides_agree(const TriangleMesh& mesh);
 
 /// True when the side goes from the smaller to the larger vertex index.
 inline bool goes_up(const TriangleMesh& mesh, std::uint32_t side) {

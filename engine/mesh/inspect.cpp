@@ -108,11 +108,9 @@ std::vector<MeshWarning> surface_warnings(const TriangleMesh& mesh) {
         warnings.push_back({"no_triangles", 1, "the mesh has no triangles"});
         return warnings;
     }
-    std::size_t non_manifold = 0;
-    const EdgeTable table = build_edge_table(mesh);
-    for (const EdgeTable::Edge& edge : table.edges) non_manifold += edge.side_count > 2 ? 1 : 0;
     warn("degenerate_faces", count_degenerate_faces(mesh), "faces without area");
-    warn("non_manifold_edges", non_manifold, "edges where more than two faces meet");
+    warn("non_manifold_edges", count_non_manifold_edges(mesh),
+         "edges where more than two faces meet");
     warn("unreferenced_vertices", count_unreferenced(mesh), "vertices that no face uses");
     return warnings;
 }

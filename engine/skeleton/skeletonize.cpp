@@ -11,8 +11,14 @@ Error cancelled(const char* before) {
     return {ErrorCode::kCancelled, std::string("skeletonize: stopped before ") + before};
 }
 
-mesh::Body body_of(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options,
-                   const std::stop_token& stop) {
+bool needs_surface(const RefineOptions& options) {
+    return options.significance || options.pruning == PruningMethod::kSignificance;
+}
+
+}  // namespace
+
+mesh::Body find_body(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options,
+                     const std::stop_token& stop) {
     std::optional<Mat3> axes;
     if (!options.canonical_pose) axes = options.voxelize.rotation;
     if (!options.voxelize.whole_mesh) {
@@ -23,21 +29,26 @@ mesh::Body body_of(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& opt
     return body;
 }
 
-bool needs_surface(const RefineOptions& options) {
-    return options.significance || options.pruning == PruningMethod::kSignificance;
-}
-
-}  // namespace
-
 Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, const SkeletonizeOptions& options,
                              std::stop_token stop) {
+    if (stop.stop_requested()) return cancelled("voxelize");
+    Stopwatch watch;
+    mesh::Body body = find_body(whole, options, stop);
+    const double body_ms = watch.lap_ms();
+    auto made = skeletonize(whole, std::move(body), options, std::move(stop));
+    if (made) made->stage_times.front().milliseconds += body_ms;
+    return made;
+}
+
+Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, mesh::Body body,
+                             const SkeletonizeOptions& options, std::stop_token stop) {
     Skeleton skeleton;
     Stopwatch watch;
     const auto finished = [&](const char* stage) {
         skeleton.stage_times.push_back({stage, watch.lap_ms()});
     };
     if (stop.stop_requested()) return cancelled("voxelize");
-    skeleton.body = body_of(whole, options, stop);
+    skeleton.body = std::move(body);
     const mesh::TriangleMesh& mesh = skeleton.body.of(whole);
     voxel::VoxelizeOptions voxelize_options = options.voxelize;
     voxelize_options.rotation = skeleton.body.axes;

@@ -41,4 +41,13 @@ struct Skeleton {
 Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, const SkeletonizeOptions& options = {},
                              std::stop_token stop = {});
 
+/// What of a mesh `skeletonize` looks at, and the axes that its grid is laid along.
+[[nodiscard]] mesh::Body find_body(const mesh::TriangleMesh& mesh,
+                                   const SkeletonizeOptions& options,
+                                   const std::stop_token& stop = {});
+
+/// The same of a body that is known. Errors: the same.
+Result<Skeleton> skeletonize(const mesh::TriangleMesh& mesh, mesh::Body body,
+                             const SkeletonizeOptions& options, std::stop_token stop = {});
+
 }  // namespace ossuary::skeleton

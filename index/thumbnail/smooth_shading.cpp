@@ -42,7 +42,7 @@ Vec3f SmoothNormals::corner_normal(std::uint32_t triangle, std::uint32_t vertex)
     return sum.norm() > 0 ? Vec3f(sum.normalized()) : own;
 }
 
-Vec3f SmoothNormals::at(const RayHit& hit) const {
+Vec3f SmoothNormals::at(const SampleHit& hit) const {
     const auto& [a, b, c] = triangles_[hit.triangle];
     Vec3f normal = (1 - hit.u - hit.v) * corner_normal(hit.triangle, a) +
                    hit.u * corner_normal(hit.triangle, b) + hit.v * corner_normal(hit.triangle, c);

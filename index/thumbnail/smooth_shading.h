@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/geometry.h"
-#include "index/thumbnail/ray_scene.h"
+#include "index/thumbnail/sample_hits.h"
 
 namespace ossuary::index {
 
@@ -18,7 +18,7 @@ public:
                   std::span<const std::array<std::uint32_t, 3>> triangles);
 
     /// The unit normal at a hit, turned towards +z; +z itself where nothing has area.
-    [[nodiscard]] Vec3f at(const RayHit& hit) const;
+    [[nodiscard]] Vec3f at(const SampleHit& hit) const;
 
 private:
     [[nodiscard]] Vec3f corner_normal(std::uint32_t triangle, std::uint32_t vertex) const;

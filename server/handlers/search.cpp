@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/parallel.h"
 #include "engine/core/stopwatch.h"
 #include "engine/voxel/read_model.h"
 #include "index/describe_model.h"
@@ -29,6 +30,22 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     return parameters;
 }
 
+/// What the page draws of a query.
+struct ShownQuery {
+    nlohmann::json mesh;
+    index::Up up = index::Up::kY;
+    double milliseconds = 0.0;
+};
+
+Result<ShownQuery> show_query(index::QueryModel& model, const std::stop_token& stop) {
+    const Stopwatch watch;
+    const auto preview = model.preview(stop);
+    if (!preview) return preview.error();
+    const auto up = model.up(stop);
+    if (!up) return up.error();
+    return ShownQuery{index::to_json(*preview, model.bounds()), *up, watch.elapsed_ms()};
+}
+
 }  // namespace
 
 std::optional<Problem> check_search(const Service&, const RequestHead& head) {
@@ -51,31 +68,34 @@ Checked<Response> search(Service& service, const Request& request) {
     const double read_ms = watch.lap_ms();
     auto described = service.searcher.describe(query->mesh, request.stop);
     if (!described) return fail(described.error());
-    auto result = service.searcher.nearest(*described, parameters.options, request.stop);
-    if (!result) return fail(result.error());
     StageTimes stages = {{"read", read_ms}};
     stages.insert(stages.end(), described->stages_ms.begin(), described->stages_ms.end());
-    result->stages_ms.insert(result->stages_ms.begin(), stages.begin(), stages.end());
-    result->took_ms = read_ms + watch.lap_ms();
-    service.metrics.search(result->stages_ms);
-
+    const double before_ms = read_ms + watch.lap_ms();
     const auto model = std::make_shared<index::QueryModel>(
         upload->name, std::move(query->mesh), std::move(query->warnings), index::frame_of(*query),
         *std::move(described));
-    const std::string token = service.queries.keep(model);
+    Result<index::SearchResult> result = Error{ErrorCode::kCancelled, "the search was given up"};
     // Which way it stands is told where it is shown.
     std::optional<index::Up> up = model->frame().up;
-    nlohmann::json mesh;
+    Result<ShownQuery> shown = ShownQuery{};
+    const auto rank = [&] {
+        result = service.searcher.nearest(model->described(), parameters.options, request.stop);
+    };
+    const auto show = [&] { shown = show_query(*model, request.stop); };
+    parallel_for(parameters.with_mesh ? 2 : 1, 2, [&](std::size_t i) { i == 0 ? rank() : show(); });
+    if (!result) return fail(result.error());
+    if (!shown) return fail(shown.error());
     if (parameters.with_mesh) {
-        const auto preview = model->preview(request.stop);
-        if (!preview) return fail(preview.error());
-        mesh = index::to_json(*preview, model->bounds());
-        const auto found = model->up(request.stop);
-        if (!found) return fail(found.error());
-        up = *found;
+        stages.push_back({"preview", shown->milliseconds});
+        up = shown->up;
     }
+    result->stages_ms.insert(result->stages_ms.begin(), stages.begin(), stages.end());
+    result->took_ms = before_ms + watch.lap_ms();
+    service.metrics.search(result->stages_ms);
+
+    const std::string token = service.queries.keep(model);
     auto json = query_search_json(service, *result, *model, token, up, parameters.options.rank);
-    if (parameters.with_mesh) json["query"]["mesh"] = std::move(mesh);
+    if (parameters.with_mesh) json["query"]["mesh"] = std::move(shown->mesh);
     Response response = json_answer(json);
     response.set_header("Cache-Control", "no-store");
     return response;

@@ -10,6 +10,8 @@
 #include "index/blob.h"
 #include "index/bytes.h"
 #include "index/content_hash.h"
+#include "index/packed_bytes.h"
+#include "index/round_skeleton.h"
 #include "tests/index/sample_index.h"
 
 namespace ossuary::index {
@@ -22,6 +24,7 @@ struct Case {
     BlobKind kind;
     std::string blob;
     std::function<Result<std::string>(std::string_view)> recode;
+    bool packed = false;  ///< several blobs may say the same
 };
 
 template <typename Decode, typename Encode>
@@ -37,15 +40,15 @@ std::vector<Case> cases() {
     const NewModel model = test::sample_model(4, "/models/x.off");
     return {
         {"skeleton", kSkeletonBlob, encode_skeleton(model.skeleton),
-         recoder(decode_skeleton, encode_skeleton)},
+         recoder(decode_skeleton, encode_skeleton), true},
         {"descriptor", kDescriptorBlob, encode_descriptor(model.descriptor.skeleton),
          recoder(decode_descriptor, encode_descriptor)},
         {"globals", kGlobalsBlob, encode_globals(model.descriptor.globals),
-         recoder(decode_globals, encode_globals)},
+         recoder(decode_globals, encode_globals), true},
         {"signature", kSignatureBlob, encode_signature(model.descriptor.signature),
          recoder(decode_signature, encode_signature)},
         {"preview", kPreviewBlob, encode_preview(model.preview),
-         recoder(decode_preview, encode_preview)},
+         recoder(decode_preview, encode_preview), true},
         {"segments", kSegmentsBlob, encode_segments(*model.segments),
          recoder(decode_segments, encode_segments)},
         {"thumbnail", kThumbnailBlob, encode_thumbnail(model.thumbnail),
@@ -110,9 +113,9 @@ TEST_P(CodecTest, SurvivesLiesUnderARightChecksum) {
             changed[at] = static_cast<char>(value);
             changed = with_checksum(changed);
             const auto decoded = case_.recode(changed);
-            // Either refused, or taken for exactly what it says.
+            // Either refused, or taken for exactly what it says; packed bytes may say it otherwise.
             if (decoded) {
-                EXPECT_EQ(*decoded, changed) << at;
+                EXPECT_EQ(*decoded, case_.packed ? *case_.recode(*decoded) : changed) << at;
             } else {
                 const ErrorCode code = decoded.error().code;
                 EXPECT_TRUE(code == ErrorCode::kIndexCorrupt ||
@@ -391,15 +394,192 @@ TEST(Codec, KeepsTheColoursOfPreviewsWhateverTheyAreOf) {
     EXPECT_FALSE(decode_preview(encode_preview(mesh)));
 }
 
-TEST(EarlierVersions, OfPreviewsHaveNoColours) {
+/// A preview's blob as versions 2 and 3 had it. @pre at most 65,536 vertices
+std::string earlier_preview(const PreviewMesh& mesh, std::uint8_t version) {
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(mesh.positions.size() / 3));
+    writer.put(static_cast<std::uint32_t>(mesh.triangles.size() / 3));
+    writer.put(std::uint8_t{2});
+    for (const double coordinate : mesh.origin) writer.put(coordinate);
+    writer.put_all<float>(mesh.positions);
+    for (const std::uint32_t corner : mesh.triangles) {
+        writer.put(static_cast<std::uint16_t>(corner));
+    }
+    if (version >= 3) {
+        writer.put(static_cast<std::uint8_t>(mesh.colours.of));
+        writer.put_all<std::uint8_t>(mesh.colours.bytes);
+    }
+    return sealed_as(kPreviewBlob, version, writer.bytes());
+}
+
+TEST(EarlierVersions, OfPreviewsAreReadInFull) {
     PreviewMesh mesh = test::sample_model(1, "").preview;
-    mesh.colours = {};
-    std::string payload(*open_blob(kPreviewBlob, encode_preview(mesh)));
-    payload.pop_back();  // what the colours are of
-    const auto decoded = decode_preview(seal_blob({"MESH", 2}, payload));
-    ASSERT_TRUE(decoded) << decoded.error().message;
-    EXPECT_EQ(decoded->positions, mesh.positions);
-    EXPECT_EQ(decoded->colours, PreviewColours{});
+    mesh.origin = {1.0, -2.5, 1e6};
+    const auto third = decode_preview(earlier_preview(mesh, 3));
+    ASSERT_TRUE(third) << third.error().message;
+    EXPECT_EQ(encode_preview(*third), encode_preview(mesh));
+    const auto second = decode_preview(earlier_preview(mesh, 2));
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_EQ(second->colours, PreviewColours{}) << "version 2 has none";
+    EXPECT_EQ(second->positions, mesh.positions);
+}
+
+TEST(EarlierVersions, OfSkeletonsAreReadInFull) {
+    const skeleton::SkeletonGraph graph = test::sample_model(4, "/x").skeleton;
+    ByteWriter writer;
+    const auto put = [&](const Vec3& point) {
+        for (const double coordinate : point) writer.put(coordinate);
+    };
+    writer.put(static_cast<std::uint32_t>(graph.nodes.size()));
+    for (const auto& node : graph.nodes) {
+        put(node.position);
+        writer.put(node.radius);
+        writer.put(node.significance);
+        writer.put(static_cast<std::int32_t>(node.degree));
+    }
+    writer.put(static_cast<std::uint32_t>(graph.branches.size()));
+    for (const auto& branch : graph.branches) {
+        writer.put(branch.a);
+        writer.put(branch.b);
+        writer.put(static_cast<std::uint32_t>(branch.points.size()));
+        for (const Vec3& point : branch.points) put(point);
+        writer.put_all<double>(branch.radii);
+    }
+    const auto read = decode_skeleton(sealed_as(kSkeletonBlob, 1, writer.bytes()));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(encode_skeleton(*read), encode_skeleton(graph));
+}
+
+TEST(EarlierVersions, OfGlobalsAreNotPacked) {
+    const auto globals = test::sample_model(4, "/x").descriptor.globals;
+    ByteWriter writer;
+    writer.put(static_cast<std::uint32_t>(globals.size()));
+    for (const auto& global : globals) {
+        writer.put_text(global.name);
+        writer.put(static_cast<std::uint32_t>(global.values.size()));
+        writer.put_all<std::uint8_t>(global.values);
+    }
+    const auto read = decode_globals(sealed_as(kGlobalsBlob, 2, writer.bytes()));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(encode_globals(*read), encode_globals(globals));
+}
+
+TEST(EarlierVersions, OfSegmentsHaveALabelForEachTriangle) {
+    for (const std::uint32_t count : {2U, 300U}) {  // labels of one byte and of four
+        ByteWriter writer;
+        writer.put(count);
+        for (std::uint32_t p = 0; p < count; ++p) {
+            writer.put(0.5);
+            writer.put(std::int32_t{-1});
+            writer.put(std::uint32_t{0});
+        }
+        writer.put(2 * count);
+        std::vector<std::uint32_t> labels;
+        for (std::uint32_t t = 0; t < 2 * count; ++t) {
+            labels.push_back(t % count);
+            if (count > 256) {
+                writer.put(labels.back());
+            } else {
+                writer.put(static_cast<std::uint8_t>(labels.back()));
+            }
+        }
+        const auto read = decode_segments(sealed_as(kSegmentsBlob, 1, writer.bytes()));
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->labels, labels);
+        EXPECT_EQ(read->parts.size(), count);
+    }
+}
+
+/// A wave of vertices on a grid of cells, whose positions are multiples of 2^exponent.
+PreviewMesh wave(int exponent) {
+    constexpr std::uint32_t kSide = 30;
+    PreviewMesh mesh;
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            const double height = std::round(900.0 * std::sin(0.2 * x + 0.1 * y));
+            for (const double multiple : {1000.0 * x - 15'000.0, 15'000.0 - 1000.0 * y, height}) {
+                mesh.positions.push_back(static_cast<float>(std::ldexp(multiple, exponent)));
+            }
+            if (x == 0 || y == 0) continue;
+            const std::uint32_t at = y * kSide + x;
+            for (const std::uint32_t corner :
+                 {at, at - 1, at - kSide, at - 1, at - kSide - 1, at - kSide}) {
+                mesh.triangles.push_back(corner);
+            }
+        }
+    }
+    return mesh;
+}
+
+TEST(Codec, WritesPreviewsOnAGridInAThirdOfTheBytesAndGivesThemBackBitByBit) {
+    for (const int exponent : {-140, -20, 0, 3, 100}) {
+        const PreviewMesh mesh = wave(exponent);
+        const std::string blob = encode_preview(mesh);
+        EXPECT_LT(blob.size(), earlier_preview(mesh, 3).size() / 3);
+        const auto read = decode_preview(blob);
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->positions, mesh.positions);
+        EXPECT_EQ(read->triangles, mesh.triangles);
+    }
+    // Off the grid by the last bit, beyond sixteen bits, and a zero with a sign.
+    for (const float odd : {1.0F + 0x1p-23F, 40'000.0F, -0.0F}) {
+        PreviewMesh mesh = wave(0);
+        mesh.positions[1] = odd;
+        const auto read = decode_preview(encode_preview(mesh));
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(std::memcmp(read->positions.data(), mesh.positions.data(),
+                              sizeof(float) * mesh.positions.size()),
+                  0);
+    }
+}
+
+TEST(Codec, WritesRoundedSkeletonsInFewerBytesAndGivesThemBackBitByBit) {
+    const skeleton::SkeletonGraph graph = test::sample_model(4, "/x").skeleton;
+    const skeleton::SkeletonGraph rounded = round_skeleton(graph);
+    for (std::size_t b = 0; b < graph.branches.size(); ++b) {
+        for (std::size_t i = 0; i < graph.branches[b].points.size(); ++i) {
+            const Vec3& point = graph.branches[b].points[i];
+            EXPECT_LT((rounded.branches[b].points[i] - point).cwiseAbs().maxCoeff(), 4e-6);
+        }
+    }
+    EXPECT_EQ(encode_skeleton(round_skeleton(rounded)), encode_skeleton(rounded));
+    EXPECT_LT(encode_skeleton(rounded).size(), 2 * encode_skeleton(graph).size() / 3);
+    const auto read = decode_skeleton(encode_skeleton(rounded));
+    ASSERT_TRUE(read) << read.error().message;
+    for (std::size_t b = 0; b < graph.branches.size(); ++b) {
+        EXPECT_EQ(read->branches[b].points, rounded.branches[b].points);
+        EXPECT_EQ(read->branches[b].radii, rounded.branches[b].radii);
+    }
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+        EXPECT_EQ(read->nodes[n].position, rounded.nodes[n].position);
+        EXPECT_EQ(read->nodes[n].degree, rounded.nodes[n].degree);
+    }
+}
+
+TEST(Codec, RefusesPackedBytesThatClaimToBeTooMany) {
+    const std::string packed = pack_bytes(std::string(50'000, 'a') + "b");
+    ASSERT_TRUE(unpack_bytes(packed));
+    for (const std::uint32_t claimed : {0U, 50'000U, 50'002U, 0xFFFFFFFFU}) {
+        ByteWriter liar;
+        liar.put(std::uint8_t{1});
+        liar.put(claimed);
+        liar.put_raw(std::string_view(packed).substr(5));
+        EXPECT_FALSE(unpack_bytes(liar.bytes())) << claimed;
+    }
+    EXPECT_FALSE(unpack_bytes(""));
+    EXPECT_FALSE(unpack_bytes("\x02whatever"));
+}
+
+TEST(Codec, PacksBytesOfAnyKind) {
+    for (const std::size_t size : {0U, 1U, 100U, 1'000'000U}) {
+        std::string noise(size, '\0');
+        EXPECT_EQ(unpack_bytes(pack_bytes(noise)), noise) << "all alike";
+        std::uint32_t state = 1;
+        for (char& byte : noise)
+            byte = static_cast<char>((state = state * 1664525U + 1013904223U) >> 24);
+        EXPECT_EQ(unpack_bytes(pack_bytes(noise)), noise);
+        EXPECT_LE(pack_bytes(noise).size(), size + 1);
+    }
 }
 
 TEST(Codec, KeepsPreviewsWithManyVertices) {
