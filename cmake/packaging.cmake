@@ -13,7 +13,7 @@ endif()
 install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/ossuary/web)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/package/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/package/doc/ DESTINATION ${ossuary_documents})
-install(DIRECTORY docs/ DESTINATION ${ossuary_documents} 
+install(DIRECTORY docs/ DESTINATION ${ossuary_documents}
         FILES_MATCHING PATTERN "*.md" PATTERN "monitoring/*" PATTERN benchmarks EXCLUDE)
 install(FILES README.md DESTINATION ${ossuary_documents})
 install(FILES packaging/ossuary.bash RENAME ossuary

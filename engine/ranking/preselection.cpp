@@ -157,7 +157,7 @@ namespace {
 constexpr std::size_t kFinalistsForOne = 4;
 
 // Of the width of stages see docs/performance.md.
-constexpr std::size_t kBySignature = 8000, kBySketch = 300, kByGlobals = 120;
+constexpr std::size_t kBySignature = 8000, kBySketch = 250, kByGlobals = 120;
 /// In larger collections, a share of the models.
 constexpr std::size_t kShareBySignature = 25;
 

@@ -253,11 +253,12 @@ ComponentValues sketch_components(std::span<const std::uint8_t> a, std::span<con
     ComponentValues values{};
     double thickness = 0.0, thickness_pairs = 0.0;
     const bool with_build = options.pose < kDefaultPose;
+    const bool with_kind = options.pose > 0.0 && options.pose < 1.0;  // as PairMeter has it
     for (std::size_t i = 0; i < kPartScales.size(); ++i) {
         const Part& part = all[i];
         const std::size_t component = 1 + part.place;
         const bool is_build = component >= kBuildComponent;
-        if (is_build ? !with_build : !fuses(options.ranker, component)) continue;
+        if (is_build ? !with_build : !(with_kind && fuses(options.ranker, component))) continue;
         const std::uint8_t* cells = a.data() + part.offset;
         const std::uint8_t* others = b.data() + part.offset;
         const double distance = kPartScales[i] * part_distance(part, cells, others);

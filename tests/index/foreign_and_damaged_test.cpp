@@ -181,7 +181,7 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
              "DELETE FROM scan_blocks",
              "UPDATE scan_blocks SET models = zeroblob(64)",
              "UPDATE scan_blocks SET revision = 1000",
-             "UPDATE descriptors SET globals = (SELECT globals FROM descriptors WHERE model = 3) "
+             "UPDATE signatures SET signature = (SELECT signature FROM signatures WHERE model = 3) "
              "WHERE model = 2",
          }) {
         test::execute_sql(path_, sql);

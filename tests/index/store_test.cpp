@@ -417,7 +417,8 @@ TEST_F(StoreTest, ASnapshotFindsTheFoldersOfItsModels) {
                              "/home/eva/models.zip#in/5.off", ""}) {
         ASSERT_TRUE(store.put(test::sample_model(++seed, path)));
     }
-    const ModelRoots& roots = (*Snapshot::load(store))->roots();
+    const auto snapshot = *Snapshot::load(store);
+    const ModelRoots& roots = snapshot->roots();
     EXPECT_EQ(roots.relative("/srv/a/y/2.off"), "a/y/2.off");
     EXPECT_EQ(roots.relative("/home/eva/3.off"), "eva/3.off");
     EXPECT_EQ(roots.relative("/4.off"), "4.off");
@@ -451,14 +452,14 @@ TEST_F(StoreTest, ReadersFoldInTheLogOfAProgramThatWasKilled) {
         ASSERT_TRUE(store.put(test::sample_model(1, "/m/a.off")));
         ASSERT_TRUE(store.put_statistics({{1.0}}, *store.revision()));
     }
-    test::leave_log_behind(path_, "UPDATE models SET class = 'late'");
+    test::leave_log_behind(path_, "UPDATE models SET name = 'late'");
     ASSERT_GT(fs::file_size(path_.string() + "-wal"), 0U);
     const std::string log = test::read_file(path_.string() + "-wal");
     const std::string before = test::read_file(path_);
     {
         auto store = Store::open(path_, Access::kInspect);
         ASSERT_TRUE(store);
-        EXPECT_EQ(store->model(1)->class_name, "late");
+        EXPECT_EQ(store->model(1)->name, "late");
         test::expect_sound(*store);
     }
     EXPECT_TRUE(test::read_file(path_) == before) << "an inspection leaves all as it is";
@@ -466,11 +467,11 @@ TEST_F(StoreTest, ReadersFoldInTheLogOfAProgramThatWasKilled) {
     {
         auto store = Store::open(path_, Access::kReadOnly);
         ASSERT_TRUE(store);
-        EXPECT_EQ(store->model(1)->class_name, "late");
+        EXPECT_EQ(store->model(1)->name, "late");
     }
     EXPECT_FALSE(fs::exists(path_.string() + "-wal"));
     EXPECT_FALSE(fs::exists(path_.string() + "-shm"));
-    EXPECT_EQ(Store::open(path_, Access::kReadOnly)->model(1)->class_name, "late");
+    EXPECT_EQ(Store::open(path_, Access::kReadOnly)->model(1)->name, "late");
 }
 
 }  // namespace

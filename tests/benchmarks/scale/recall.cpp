@@ -43,11 +43,13 @@ public:
         held_ = unwrap(whole_.fetch(indices));
         first_ = indices.front();
     }
+    void let_go() { held_.clear(); }
     Result<std::vector<ranking::SharedDescriptor>> fetch(
         std::span<const std::uint32_t> indices) override {
-        if (held_.empty() || indices.front() < first_ || indices.back() >= first_ + held_.size()) {
-            return whole_.fetch(indices);
-        }
+        const bool all_held = std::ranges::all_of(indices, [&](std::uint32_t index) {
+            return index >= first_ && index < first_ + held_.size();
+        });
+        if (!all_held) return whole_.fetch(indices);
         std::vector<ranking::SharedDescriptor> found;
         for (const std::uint32_t index : indices) found.push_back(held_[index - first_]);
         return found;
@@ -90,6 +92,7 @@ void find_exact(std::vector<Query>& queries, BlockSource& source) {
         }
         if (begin / kBlock % 50 == 0) std::cerr << begin << " of " << source.size() << '\n';
     }
+    source.let_go();
 }
 
 double share(const std::vector<RankedModel>& exact, const std::vector<RankedModel>& found) {

@@ -155,7 +155,10 @@ def main():
         total = server.get("/v1/models?limit=1")["total"]
         figures["models"] = total
         choose = random.Random(1)
-        ids = [choose.randrange(1, total) for _ in range(arguments.searches)]
+        places = choose.sample(range(total), arguments.searches + 10)
+        ids = [server.get(f"/v1/models?limit=1&offset={place}")["models"][0]["id"]
+               for place in places]
+        ids, victims = ids[10:], ids[:10]
         by_id = [f"/v1/models/{each}/similar" for each in ids]
         figures["search_by_id"] = measure(server, by_id)
         of_class = []
@@ -171,7 +174,7 @@ def main():
             first = times_ms(server.connect(), [path])[0]
             figures[name] = {"first_ms": first} | measure(server, [path] * arguments.runs)
         figures["resident_with_lists_mb"] = server.memory_mb()
-        figures["writes"] = measure_writes(server, by_id, ids[:10])
+        figures["writes"] = measure_writes(server, by_id, victims)
     finally:
         server.stop()
     if arguments.query:
