@@ -24,7 +24,17 @@ function check(holds, what) {
 function startServer(index) {
     const server = spawn(
         join(kBin, 'ossuary-server'),
-        ['--index', index, '--web', fromRoot('web/dist'), '--port', '0', '--serve-files'],
+        [
+            '--index',
+            index,
+            '--web',
+            fromRoot('web/dist'),
+            '--port',
+            '0',
+            '--serve-files',
+            '--log-level',
+            'warn',
+        ],
         {
             stdio: ['ignore', 'pipe', 'inherit'],
             env: { ...process.env, OSSUARY_ADMIN_KEY: kKey },
@@ -79,7 +89,7 @@ async function maker(page, origin, models) {
     await page.locator('.hit-card').first().waitFor();
     check((await page.locator('.hit-card .tag').first().textContent()) === 'horse', 'no horse');
     await take(page, 'maker-1-hits');
-    await page.locator('.hit-card a').nth(1).click();
+    await page.locator('.hit-card .card-link').nth(1).click();
     await page.locator('.match-table').waitFor();
     await page.getByLabel('Overlay', { exact: true }).check();
     await page.locator('.overlay canvas').waitFor();
@@ -97,9 +107,12 @@ async function animator(page, origin) {
     await page.locator('.query-text').getByText('Parts and pose').click();
     await page.locator('.joint-handle').first().waitFor();
     await drawn(page);
-    await page.locator('.joint-handle').nth(1).focus();
-    for (let press = 0; press < 6; press++) {
-        await page.keyboard.press('ArrowUp');
+    const joints = await page.locator('.joint-handle').count();
+    for (let joint = 0; joint < joints; joint++) {
+        await page.locator('.joint-handle').nth(joint).focus();
+        for (let press = 0; press < 4; press++) {
+            await page.keyboard.press(joint % 2 === 0 ? 'ArrowRight' : 'ArrowUp');
+        }
     }
     check(page.url().includes('posed='), 'no pose in the address');
     await take(page, 'animator-1-pose');
