@@ -24,5 +24,6 @@ inline constexpr int kFirstVersionWithSegments = 3;
 inline constexpr int kFirstVersionWithUploads = 4;  ///< and with checksums of rows
 inline constexpr int kFirstVersionWithOrientations = 5;
 inline constexpr int kFirstVersionWithFrames = 6;  ///< what files say of units and axes
+inline constexpr int kFirstVersionWithFeatures = 7;
 
 }  // namespace ossuary::index

@@ -5,6 +5,8 @@
 
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
+#include "index/part_search.h"
+#include "index/preview.h"
 
 namespace ossuary::index {
 
@@ -25,6 +27,30 @@ ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token sto
     return options;
 }
 
+/// The models of a class, ascending.
+std::vector<std::uint32_t> positions_of_class(const Snapshot& snapshot, const std::string& name) {
+    std::vector<std::uint32_t> positions;
+    for (std::uint32_t i = 0; !name.empty() && i < snapshot.size(); ++i) {
+        if (snapshot.models()[i].class_name == name) positions.push_back(i);
+    }
+    return positions;
+}
+
+/// Of models that may be hits, nearest first, those that are.
+std::vector<ranking::RankedModel> wanted(const Snapshot& snapshot,
+                                         const std::vector<ranking::RankedModel>& models,
+                                         const SearchOptions& options, ModelId left_out) {
+    std::vector<ranking::RankedModel> hits;
+    std::set<std::size_t> seen;
+    for (const ranking::RankedModel& found : models) {
+        if (snapshot.models()[found.index].id == left_out) continue;
+        if (options.fold_copies && !seen.insert(snapshot.copies(found.index)).second) continue;
+        hits.push_back(found);
+        if (hits.size() == options.limit) break;
+    }
+    return hits;
+}
+
 /// The models that may be hits, nearest first.
 Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
                                                  const descriptor::ModelDescriptor& query,
@@ -36,27 +62,29 @@ Result<std::vector<ranking::RankedModel>> ranked(const Snapshot& snapshot,
     // Each copy may take a place that another model is to have; in large collections that are
     // mostly copies the list may then end early.
     if (options.fold_copies) nearest.spare = snapshot.redundant();
-    std::vector<std::uint32_t> of_class;
-    if (!options.class_filter.empty()) {
-        for (std::uint32_t i = 0; i < snapshot.size(); ++i) {
-            if (snapshot.models()[i].class_name == options.class_filter) of_class.push_back(i);
-        }
-        nearest.among = of_class;
-    }
+    const std::vector<std::uint32_t> of_class = positions_of_class(snapshot, options.class_filter);
+    if (!options.class_filter.empty()) nearest.among = of_class;
     const auto models =
         ranking::nearest_models(query, snapshot.descriptors(), snapshot.preselection(),
                                 snapshot.statistics(), options.rank, nearest);
     if (!models) return models.error();
-    std::vector<ranking::RankedModel> hits;
-    std::set<std::size_t> seen;
-    for (const ranking::RankedModel& found : *models) {
-        const ModelSummary& model = snapshot.models()[found.index];
-        if (model.id == left_out) continue;
-        if (options.fold_copies && !seen.insert(snapshot.copies(found.index)).second) continue;
-        hits.push_back(found);
-        if (hits.size() == options.limit) break;
-    }
-    return hits;
+    return wanted(snapshot, *models, options, left_out);
+}
+
+/// What is known of a hit without looking at the query.
+Hit hit_of(const Snapshot& snapshot, const ranking::RankedModel& found, std::size_t rank) {
+    const ModelSummary& model = snapshot.models()[found.index];
+    Hit hit;
+    hit.rank = rank;
+    hit.id = model.id;
+    hit.name = model.name;
+    hit.class_name = model.class_name;
+    hit.path = model.path;
+    hit.faces = model.faces;
+    hit.extent = model.bounds.sizes();
+    hit.copies = snapshot.copy_count(snapshot.copies(found.index)) - 1;
+    hit.distance = found.distance;
+    return hit;
 }
 
 /// Ranks the snapshot for `query` and explains the hits; adds the stages to `result`.
@@ -66,18 +94,7 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
     const auto models = ranked(snapshot, query, options, left_out);
     if (!models) return models.error();
     for (const ranking::RankedModel& found : *models) {
-        const ModelSummary& model = snapshot.models()[found.index];
-        Hit hit;
-        hit.rank = result.hits.size() + 1;
-        hit.id = model.id;
-        hit.name = model.name;
-        hit.class_name = model.class_name;
-        hit.path = model.path;
-        hit.faces = model.faces;
-        hit.extent = model.bounds.sizes();
-        hit.copies = snapshot.copy_count(snapshot.copies(found.index)) - 1;
-        hit.distance = found.distance;
-        result.hits.push_back(std::move(hit));
+        result.hits.push_back(hit_of(snapshot, found, result.hits.size() + 1));
     }
     result.stages_ms.push_back({"rank", watch.lap_ms()});
     if (options.with_match) {
@@ -94,6 +111,48 @@ Result<void> find_hits(const Snapshot& snapshot, const descriptor::ModelDescript
         }
         result.stages_ms.push_back({"explain", watch.lap_ms()});
     }
+    result.models = snapshot.size();
+    result.revision = snapshot.revision();
+    return {};
+}
+
+/// The same for a part.
+Result<void> find_parts(Store& store, const Snapshot& snapshot, const PartQuery& query,
+                        const SearchOptions& options, ModelId left_out, SearchResult& result) {
+    Stopwatch watch;
+    const std::vector<std::uint32_t> of_class = positions_of_class(snapshot, options.class_filter);
+    const auto found = part_fits(store, snapshot, query, options.rank, of_class);
+    if (!found) return found.error();
+    std::vector<ranking::RankedModel> models;
+    for (std::size_t i = 0; i < snapshot.size(); ++i) {
+        const std::string& name = snapshot.models()[i].class_name;
+        if (!options.class_filter.empty() && name != options.class_filter) continue;
+        models.push_back({i, found->fits[i].distance});
+    }
+    std::stable_sort(models.begin(), models.end(),
+                     [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    for (const ranking::RankedModel& model : wanted(snapshot, models, options, left_out)) {
+        result.hits.push_back(hit_of(snapshot, model, result.hits.size() + 1));
+        Hit& hit = result.hits.back();
+        const PartFit& fit = found->fits[model.index];
+        hit.placement = fit.placement;
+        if (!options.with_match) continue;
+        auto match = ranking::explain(query.descriptor, *snapshot.descriptors()[model.index],
+                                      snapshot.statistics(), options.rank);
+        if (!match) return match.error();
+        hit.parts = fit.shares;
+        hit.matched_nodes = match->correspondence.nodes.size();
+        hit.match = std::move(match->correspondence);
+    }
+    if (found->without_features > 0) {
+        result.warnings.push_back(
+            {"features_missing", found->without_features,
+             std::to_string(found->without_features) +
+                 " models have no features of their surface, since they were indexed before there "
+                 "were any or have no area, and are found by their skeletons alone; index them "
+                 "into a new file"});
+    }
+    result.stages_ms.push_back({"rank", watch.lap_ms()});
     result.models = snapshot.size();
     result.revision = snapshot.revision();
     return {};
@@ -186,6 +245,7 @@ Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::
         with_chain_codes(std::move(description->skeleton), description->descriptor.skeleton);
     described.descriptor = std::move(description->descriptor);
     described.body = std::move(description->body);
+    described.piece = registration::piece_query(described.body.of(query));
     described.warnings = std::move(description->warnings);
     described.stages_ms = std::move(description->stage_times);
     return described;
@@ -200,9 +260,11 @@ Result<SearchResult> Searcher::nearest(const DescribedQuery& query, const Search
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
     SearchResult result;
-    if (const auto found = find_hits(**loaded, query.descriptor, search, 0, result); !found) {
-        return found.error();
-    }
+    const auto found =
+        search.rank.part
+            ? find_parts(impl_->store, **loaded, {query.descriptor, query.piece}, search, 0, result)
+            : find_hits(**loaded, query.descriptor, search, 0, result);
+    if (!found) return found.error();
     result.took_ms = total.elapsed_ms();
     return result;
 }
@@ -221,7 +283,8 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
                              described->stages_ms.end());
     result->query_skeleton = std::move(described->skeleton);
     result->query_body = std::move(described->body);
-    result->warnings = std::move(described->warnings);
+    result->warnings.insert(result->warnings.begin(), described->warnings.begin(),
+                            described->warnings.end());
     result->took_ms = total.elapsed_ms();
     return result;
 }
@@ -237,12 +300,18 @@ Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options,
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
     SearchResult result;
-    if (const auto hits = find_hits(models, *models.descriptors()[position], search, id, result);
-        !hits) {
+    const descriptor::ModelDescriptor& descriptor = *models.descriptors()[position];
+    result.warnings = models.models()[position].warnings;
+    if (options.rank.part) {
+        const auto preview = impl_->store.preview(id);
+        if (!preview) return preview.error();
+        const registration::PieceQuery piece = registration::piece_query(mesh_of(*preview));
+        const auto hits = find_parts(impl_->store, models, {descriptor, piece}, search, id, result);
+        if (!hits) return hits.error();
+    } else if (const auto hits = find_hits(models, descriptor, search, id, result); !hits) {
         return hits.error();
     }
     result.query_skeleton = std::move(found->skeletons.front());
-    result.warnings = models.models()[position].warnings;
     result.took_ms = total.elapsed_ms();
     return result;
 }

@@ -15,6 +15,7 @@
 #include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/ranking/ranker.h"
+#include "engine/registration/piece_search.h"
 #include "index/model.h"
 #include "index/snapshot.h"
 #include "index/store.h"
@@ -42,7 +43,9 @@ struct Hit {
     std::vector<matching::DistancePart> parts;
     std::size_t matched_nodes = 0;
     std::optional<double> build, pose;  ///< those of matching::Match
-    matching::Correspondence match;     ///< a = the query's nodes and branches, b = the hit's
+    /// Where a part lies in the hit, both in model units; only with `part`, and of the most alike.
+    std::optional<registration::PiecePlacement> placement;
+    matching::Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
 };
 
 struct SearchResult {
@@ -60,7 +63,8 @@ struct SearchResult {
 struct DescribedQuery {
     descriptor::ModelDescriptor descriptor;
     StoredSkeleton skeleton;
-    mesh::Body body;  ///< what of the mesh was described
+    mesh::Body body;                 ///< what of the mesh was described
+    registration::PieceQuery piece;  ///< what it is looked for by as a part
     std::vector<mesh::MeshWarning> warnings;
     StageTimes stages_ms;  ///< of describing it
 };

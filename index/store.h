@@ -112,6 +112,10 @@ struct StoredSignature {
     ModelId id = 0;
     std::vector<float> signature;
 };
+struct StoredFeatures {
+    ModelId id = 0;
+    registration::WholeFeatures features;
+};
 /// The collection's statistics and the revision that they were made at.
 struct StoredStatistics {
     ranking::CollectionStatistics statistics;
@@ -257,6 +261,9 @@ public:
     Result<PreviewMesh> preview(ModelId id);
     /// None for a model that could not be cut into parts.
     Result<std::optional<ModelSegments>> segments(ModelId id);
+    /// Local features of the surfaces of at most `limit` models with ids above `after`, in the
+    /// order of ids; models that have none are left out.
+    Result<std::vector<StoredFeatures>> features(ModelId after, std::size_t limit);
     Result<std::vector<std::uint8_t>> thumbnail(ModelId id);
     Result<std::vector<Failure>> failures();
 

@@ -312,6 +312,23 @@ Result<std::optional<ModelSegments>> Store::segments(ModelId id) {
     });
 }
 
+Result<std::vector<StoredFeatures>> Store::features(ModelId after, std::size_t limit) {
+    return impl_->locked([&]() -> Result<std::vector<StoredFeatures>> {
+        std::vector<StoredFeatures> found;
+        Query query(
+            impl_->statement("SELECT model, features FROM surface_features WHERE model > ? "
+                             "ORDER BY model LIMIT ?"));
+        query.bind(after, static_cast<std::int64_t>(limit));
+        while (query.step()) {
+            const ModelId id = query.integer(0);
+            auto features = decode_features(query.blob(1));
+            if (!features) return impl_->damaged(id, features.error());
+            found.push_back({id, *std::move(features)});
+        }
+        return found;
+    });
+}
+
 Result<std::vector<std::uint8_t>> Store::thumbnail(ModelId id) {
     return impl_->locked([&]() -> Result<std::vector<std::uint8_t>> {
         Query query(impl_->statement("SELECT png FROM thumbnails WHERE model = ?"));

@@ -11,7 +11,7 @@ namespace {
 
 /// The blobs of a model, ready to be written.
 struct EncodedModel {
-    std::string signature, descriptor, globals, skeleton, preview, segments, thumbnail;
+    std::string signature, descriptor, globals, skeleton, preview, segments, features, thumbnail;
 };
 
 /// Encodes, and decodes again to be sure that what is written can be read.
@@ -37,6 +37,10 @@ Result<EncodedModel> encode(const NewModel& model) {
         if (model.segments->labels.size() * 3 != model.preview.triangles.size()) {
             wrong = "labels and triangles of the preview differ in number";
         }
+    }
+    if (!model.features.features.points.empty()) {
+        encoded.features = encode_features(model.features);
+        check(decode_features(encoded.features));
     }
     if (!model.thumbnail.empty()) {
         encoded.thumbnail = encode_thumbnail(model.thumbnail);
@@ -149,7 +153,7 @@ ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) 
 
 void Writer::remove_parts(ModelId id) {
     for (const char* table : {"signatures", "descriptors", "skeletons", "branches", "previews",
-                              "segments", "thumbnails"}) {
+                              "segments", "surface_features", "thumbnails"}) {
         query("DELETE FROM " + std::string(table) + " WHERE model = ?").bind(id).run();
     }
 }
@@ -170,6 +174,11 @@ void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& en
     if (!encoded.segments.empty()) {
         query("INSERT INTO segments (model, segments) VALUES (?, ?)")
             .bind(id, BlobView{encoded.segments})
+            .run();
+    }
+    if (!encoded.features.empty()) {
+        query("INSERT INTO surface_features (model, features) VALUES (?, ?)")
+            .bind(id, BlobView{encoded.features})
             .run();
     }
     if (!encoded.thumbnail.empty()) {
