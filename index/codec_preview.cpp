@@ -80,9 +80,8 @@ std::vector<float> get_grid_positions(ByteReader& reader, std::size_t vertices, 
         const std::string_view high = reader.get_raw(vertices);
         std::uint16_t last = 0;
         for (std::size_t v = 0; v < vertices; ++v) {
-            const auto folded =
-                static_cast<std::uint16_t>(static_cast<std::uint8_t>(low[v]) |
-                                           (static_cast<std::uint8_t>(high[v]) << 8));
+            const auto folded = static_cast<std::uint16_t>(
+                static_cast<std::uint8_t>(low[v]) | (static_cast<std::uint8_t>(high[v]) << 8));
             last = static_cast<std::uint16_t>(last + ((folded >> 1) ^ (0U - (folded & 1U))));
             positions[3 * v + axis] =
                 static_cast<float>(grid_number(static_cast<std::int16_t>(last), exponent));
@@ -131,7 +130,8 @@ Error unknown_colours() { return corrupt_blob(kPreviewBlob, "colours of what the
 void get_colours(ByteReader& reader, std::uint8_t of, std::size_t vertices, std::size_t triangles,
                  PreviewColours& colours) {
     colours.of = static_cast<PreviewColours::Of>(of);
-    colours.bytes = reader.get_all<std::uint8_t>(3 * count_colours(colours.of, vertices, triangles));
+    colours.bytes =
+        reader.get_all<std::uint8_t>(3 * count_colours(colours.of, vertices, triangles));
 }
 
 /// Versions 1 to 3.

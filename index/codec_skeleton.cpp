@@ -37,8 +37,8 @@ std::vector<double> lengths_of(const skeleton::SkeletonGraph& graph) {
     return lengths;
 }
 
-/// Four numbers a point, x y z and a radius: of a branch each as how far it is from where a straight
-/// line at even steps would lead, beginning at the branch's first node.
+/// Four numbers a point, x y z and a radius: of a branch each as how far it is from where a
+/// straight line at even steps would lead, beginning at the branch's first node.
 class PointCoder {
 public:
     using Point = std::array<std::uint64_t, 4>;
@@ -143,7 +143,7 @@ bool skeleton_is_finite(const skeleton::SkeletonGraph& graph) {
 }
 
 std::string_view fault_of_branch(const skeleton::SkeletonGraph::Branch& branch, std::size_t nodes,
-                          std::size_t points) {
+                                 std::size_t points) {
     if (points < 2) return "a branch of fewer than two points";
     if (std::max(branch.a, branch.b) >= nodes) return "a branch ends at a node that is not there";
     return {};
@@ -251,7 +251,8 @@ std::string encode_skeleton(const skeleton::SkeletonGraph& graph) {
 Result<skeleton::SkeletonGraph> decode_skeleton(std::string_view blob) {
     const auto payload = open_blob(kSkeletonBlob, blob);
     if (!payload) return payload.error();
-    auto graph = blob_version(blob) >= 2 ? decode_packed_skeleton(*payload) : decode_plain_skeleton(*payload);
+    auto graph = blob_version(blob) >= 2 ? decode_packed_skeleton(*payload)
+                                         : decode_plain_skeleton(*payload);
     if (graph && !skeleton_is_finite(*graph)) return not_finite_skeleton();
     return graph;
 }

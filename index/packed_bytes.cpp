@@ -20,8 +20,9 @@ constexpr std::size_t kPackedHeader = 5;
 
 std::string pack_bytes(std::string_view bytes) {
     std::string packed(kPackedHeader + ZSTD_compressBound(bytes.size()), '\0');
-    const std::size_t size = ZSTD_compress(packed.data() + kPackedHeader, packed.size() - kPackedHeader,
-                                           bytes.data(), bytes.size(), kZstandardLevel);
+    const std::size_t size =
+        ZSTD_compress(packed.data() + kPackedHeader, packed.size() - kPackedHeader, bytes.data(),
+                      bytes.size(), kZstandardLevel);
     const bool fewer = ZSTD_isError(size) == 0U && size < bytes.size() &&
                        bytes.size() / kMostExpansion <= size && bytes.size() <= UINT32_MAX;
     ByteWriter header;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "engine/matching/match.h"
 #include "engine/ranking/ranker.h"
 
 namespace ossuary::ranking {

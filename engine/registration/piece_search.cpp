@@ -62,10 +62,10 @@ Fit fit_of(const SurfacePoints& points, const WholeSurface& whole, const Similar
         const Vec3 way = moved - whole.surface().points[found.index];
         const double off = std::abs(normal.dot(way));
         // Beside the nearest point's surroundings there is no surface to lie on.
-        const double beside = std::max(
-            0.0, std::sqrt(std::max(0.0, found.squared_distance - off * off)) -
-                     1.5 * std::sqrt(whole.surface().area /
-                                     static_cast<double>(whole.surface().points.size())));
+        const double beside =
+            std::max(0.0, std::sqrt(std::max(0.0, found.squared_distance - off * off)) -
+                              1.5 * std::sqrt(whole.surface().area /
+                                              static_cast<double>(whole.surface().points.size())));
         const bool faces = placement.normal(points.normals[i]).dot(normal) > 0.5;
         const double distance = faces ? std::min(most, std::hypot(off, beside)) : most;
         distances.push_back(distance / most);
@@ -103,8 +103,8 @@ std::vector<std::uint16_t> nearest_features(const PieceQuery& piece, const Whole
     constexpr int kFarthest = std::numeric_limits<std::uint16_t>::max();
     std::vector<std::uint16_t> nearest;
     const std::size_t points = std::min(kLikenessPiecePoints, piece.features.points.size());
-    const std::size_t others = std::min(kLikenessWholePoints, whole.features.points.size()) *
-                               whole.features.radii.size();
+    const std::size_t others =
+        std::min(kLikenessWholePoints, whole.features.points.size()) * whole.features.radii.size();
     for (std::size_t p = 0; p < points; ++p) {
         for (std::size_t r = kLikenessFirstRadius; r < piece.features.radii.size(); ++r) {
             int least = std::numeric_limits<int>::max();

@@ -31,15 +31,15 @@ struct PieceQuery {
 
 [[nodiscard]] PieceQuery piece_query(const mesh::TriangleMesh& mesh);
 
-/// How near the nearest feature of a whole is to each of some of the piece's (piece_distance, rooted, in
-/// steps of 1/50); the greatest number everywhere for a whole without features.
+/// How near the nearest feature of a whole is to each of some of the piece's (piece_distance,
+/// rooted, in steps of 1/50); the greatest number everywhere for a whole without features.
 [[nodiscard]] std::vector<std::uint16_t> nearest_features(const PieceQuery& piece,
                                                           const WholeFeatures& whole);
 
 /// How much each of many wholes looks as if it had the piece, in [0, 1], before any is placed: each
 /// feature of the piece speaks for the wholes that have one nearer to it than all but three and a
-/// twentieth of the others, by how much nearer (McCann and Lowe, Local Naive Bayes Nearest Neighbor for Image
-/// Classification, 2012). 1 is the most of all.
+/// twentieth of the others, by how much nearer (McCann and Lowe, Local Naive Bayes Nearest Neighbor
+/// for Image Classification, 2012). 1 is the most of all.
 /// @param nearest  `nearest_features` of each whole
 [[nodiscard]] std::vector<double> piece_likeness(
     std::span<const std::vector<std::uint16_t>> nearest);
@@ -61,13 +61,14 @@ private:
 struct PiecePlacement {
     Similarity placement;    ///< of the piece in the whole, model units
     double explained = 0.0;  ///< share of the piece's area that lies on the whole, facing its way
-    double distance = 1.0;   ///< of the piece from the whole, in [0, 1]; 0 = it lies there but for a fifth
+    double distance =
+        1.0;  ///< of the piece from the whole, in [0, 1]; 0 = it lies there but for a fifth
 };
 
 /// The best place for a piece in a whole: candidates from local features (feature_candidates.h),
 /// refined by iterated closest points; the one that most of the piece agrees with. A piece covers
-/// at least 3 % of the whole's area and is not larger than it by more than a fifth; the fifth of it that lies farthest off (the
-/// cap over a cut) does not count. None where no features agree.
+/// at least 3 % of the whole's area and is not larger than it by more than a fifth; the fifth of it
+/// that lies farthest off (the cap over a cut) does not count. None where no features agree.
 [[nodiscard]] std::optional<PiecePlacement> place_piece(const PieceQuery& piece,
                                                         const WholeFeatures& whole,
                                                         const WholeSurface& surface);

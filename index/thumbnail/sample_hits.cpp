@@ -50,10 +50,10 @@ public:
     }
 
     void draw(std::uint32_t triangle, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-        const auto [left, right] = lines_between(std::min({a.x(), b.x(), c.x()}),
-                                                 std::max({a.x(), b.x(), c.x()}));
-        const auto [top, bottom] = lines_between(std::min({a.y(), b.y(), c.y()}),
-                                                 std::max({a.y(), b.y(), c.y()}));
+        const auto [left, right] =
+            lines_between(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}));
+        const auto [top, bottom] =
+            lines_between(std::min({a.y(), b.y(), c.y()}), std::max({a.y(), b.y(), c.y()}));
         if (left > right || top > bottom) return;
         Edge ab(a, b), bc(b, c), ca(c, a);
         ab.begin_row(double{c.y()});

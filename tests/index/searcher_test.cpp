@@ -262,15 +262,15 @@ TEST_F(SearcherTest, IsPresentedWithTheAgreedFields) {
 TEST_F(SearcherTest, EvaluatesASampleWhichIsTheSameEachTime) {
     Searcher searcher = open();
     const auto snapshot = *searcher.snapshot();
-    const auto whole = *evaluate(*snapshot);
+    const auto whole = *evaluate(*snapshot, searcher.stores());
     EvaluateOptions options;
     options.sample = 4;
-    const auto some = evaluate(*snapshot, options);
+    const auto some = evaluate(*snapshot, searcher.stores(), options);
     ASSERT_TRUE(some) << some.error().message;
     EXPECT_EQ(some->queries, 9U);
     ASSERT_EQ(some->report.per_query.size(), 4U);
     EXPECT_EQ(some->distances.size, 0U);
-    const auto again = *evaluate(*snapshot, options);
+    const auto again = *evaluate(*snapshot, searcher.stores(), options);
     for (std::size_t i = 0; i < 4; ++i) {
         const ranking::QueryMetrics& query = some->report.per_query[i];
         EXPECT_EQ(again.report.per_query[i].model, query.model);
@@ -279,7 +279,7 @@ TEST_F(SearcherTest, EvaluatesASampleWhichIsTheSameEachTime) {
     }
     for (const std::size_t enough : {9U, 10U}) {
         options.sample = enough;
-        EXPECT_EQ(evaluate(*snapshot, options)->distances.size, 9U);
+        EXPECT_EQ(evaluate(*snapshot, searcher.stores(), options)->distances.size, 9U);
     }
 }
 

@@ -13,11 +13,7 @@ namespace ossuary::ranking {
 namespace {
 
 std::vector<RankOptions> all_options() {
-    return {{},
-            {.ranker = RankerKind::kSkeleton},
-            {.pose = 0.0},
-            {.pose = 0.1},
-            {.size = 1.0}};
+    return {{}, {.ranker = RankerKind::kSkeleton}, {.pose = 0.0}, {.pose = 0.1}, {.size = 1.0}};
 }
 
 TEST(Sketch, IsNearestToItselfAndTheSameBothWays) {

@@ -20,9 +20,8 @@ mesh::TriangleMesh whole_with_odd_body() {
 /// What of a mesh lies beyond a plane across x, turned, scaled and moved.
 mesh::TriangleMesh beyond(const mesh::TriangleMesh& whole, double x, const Similarity& motion) {
     mesh::TriangleMesh piece = whole;
-    std::erase_if(piece.triangles, [&](const auto& triangle) {
-        return whole.vertices[triangle[0]].x() < x;
-    });
+    std::erase_if(piece.triangles,
+                  [&](const auto& triangle) { return whole.vertices[triangle[0]].x() < x; });
     piece.face_of_triangle.resize(piece.triangles.size());
     return test::transformed(piece, motion.scale * motion.rotation, motion.translation);
 }
@@ -54,8 +53,7 @@ TEST(PlacePiece, WhatClosesTheCutDoesNotCount) {
     mesh::TriangleMesh cap = test::box_mesh({0.99, -0.8, -0.8}, {1.0, 0.8, 0.8});
     piece = test::merged(
         piece, test::transformed(cap, motion.scale * motion.rotation, motion.translation));
-    const auto placed =
-        place_piece(piece_query(piece), whole_features(whole), WholeSurface(whole));
+    const auto placed = place_piece(piece_query(piece), whole_features(whole), WholeSurface(whole));
     ASSERT_TRUE(placed);
     EXPECT_NEAR(placed->placement.scale * motion.scale, 1.0, 0.02);
     EXPECT_LT(placed->distance, 0.15);

@@ -57,8 +57,7 @@ TEST(SampleHits, AreTheNearestTrianglesOfASoup) {
     const Soup soup = soup_of(200, kSize);
     std::vector<std::uint8_t> mask(kSize * kSize, 0);
     for (std::size_t p = 0; p < mask.size(); p += 2) mask[p] = 1;
-    const auto hits =
-        find_sample_hits(soup.vertices, soup.triangles, {kSize, kSide, mask}, {});
+    const auto hits = find_sample_hits(soup.vertices, soup.triangles, {kSize, kSide, mask}, {});
     ASSERT_EQ(hits.size(), mask.size() / 2 * kSide * kSide);
     std::size_t next = 0, met = 0;
     for (int row = 0; row < kSize; ++row) {
