@@ -18,28 +18,15 @@ namespace ossuary::mesh {
 namespace {
 
 /// Triangles in an order in which neighbours follow each other, and vertices in that of their first
-/// triangles: as such they take fewest bytes and are drawn fastest.
+/// triangles: as such they take fewest bytes and are drawn fastest. Without colours, which the
+/// library does not take along.
 TriangleMesh in_drawing_order(const TriangleMesh& mesh) {
     if (mesh.empty()) return mesh;
     const std::size_t corners = 3 * mesh.triangles.size();
     TriangleMesh result = mesh;
+    result.corner_colours = {};
     meshopt_optimizeVertexCache(result.triangles.front().data(), mesh.triangles.front().data(),
                                 corners, mesh.vertices.size());
-    if (!mesh.corner_colours.empty()) {
-        // The library names no triangles: equal ones are taken in the order that they came in.
-        const auto in_order = [](const TriangleMesh& of) {
-            std::vector<std::uint32_t> order(of.triangles.size());
-            std::iota(order.begin(), order.end(), 0U);
-            std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return of.triangles[a] < of.triangles[b];
-            });
-            return order;
-        };
-        const std::vector<std::uint32_t> before = in_order(mesh), after = in_order(result);
-        for (std::size_t i = 0; i < after.size(); ++i) {
-            result.corner_colours[after[i]] = mesh.corner_colours[before[i]];
-        }
-    }
     std::vector<std::uint32_t> place(mesh.vertices.size());
     meshopt_optimizeVertexFetchRemap(place.data(), result.triangles.front().data(), corners,
                                      mesh.vertices.size());
@@ -110,7 +97,7 @@ TriangleMesh decimate(const TriangleMesh& mesh, const DecimateOptions& options,
     const std::size_t wanted = options.max_triangles;
     TriangleMesh welded = compact(mesh);
     if (stop.stop_requested()) return welded;
-    if (welded.triangles.size() <= wanted) return in_drawing_order(welded);
+    if (welded.triangles.size() <= wanted) return welded;
     // So many take a tenth of a second, and a third of that.
     const std::size_t many = std::max<std::size_t>(150'000, 3 * wanted);
     const std::size_t few = std::max<std::size_t>(6000, 3 * wanted);

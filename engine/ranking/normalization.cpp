@@ -256,6 +256,8 @@ Result<CollectionStatistics> collection_statistics(DescriptorSource& collection,
     auto fetched = fetch(collection, references);
     if (!fetched) return fetched.error();
     const DistancesToReferences distances(*std::move(fetched), options);
+    // Else some of what the sums are of is missing.
+    if (stop.stop_requested()) return cancelled();
     const auto models = sum_distances(collection, rows, distances, options);
     if (!models) return models.error();
     if (stop.stop_requested()) return cancelled();

@@ -211,6 +211,8 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
 TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
     for (const auto& [path, item] : contract().at("paths").items()) {
         if (!item.contains("get") || path == "/{file}" || !path.starts_with("/v1")) continue;
+        // Without a key none of its parameters is looked at.
+        if (item["get"].contains("security")) continue;
         nlohmann::json parameters = item.value("parameters", nlohmann::json::array());
         for (const nlohmann::json& each :
              item["get"].value("parameters", nlohmann::json::array())) {
