@@ -6,6 +6,7 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "engine/core/mutex.h"
@@ -24,7 +25,10 @@ public:
         std::uint64_t replacements = 0;
         ModelId id = 0;
         Revision changed_at = 0;
-        auto operator<=>(const Key&) const = default;
+        bool operator<(const Key& other) const {
+            return std::tie(replacements, id, changed_at) <
+                   std::tie(other.replacements, other.id, other.changed_at);
+        }
     };
     /// Two thousand models, as many as are measured exhaustively, stay in any case.
     explicit DescriptorCache(std::size_t bytes = std::size_t{48} << 20) : bytes_limit_(bytes) {}
