@@ -38,7 +38,7 @@ describe('models that are ticked', () => {
 describe('a part of a model', () => {
     it('finds the models that have it', async () => {
         const page = await visits.open(`#/models/${kModels}/parts`, { viewport: kSmall });
-        await page.getByRole('button', { name: 'Models with part 2' }).click();
+        await page.getByRole('button', { name: 'Find models with part 2' }).click();
         await page.waitForURL('**/#/q/*part=true*');
         await page.locator('.hit-card').first().waitFor();
         expect(await page.locator('.results-title').textContent()).toContain('part 2');

@@ -30,7 +30,8 @@ export function failureTable(failures: readonly IndexFailure[]): HTMLElement {
         { class: 'failures' },
         element(
             'div',
-            { class: 'table-scroll' },
+            // What can be scrolled can be reached with the keyboard.
+            { class: 'table-scroll', tabindex: 0 },
             element(
                 'table',
                 { class: 'table' },

@@ -48,7 +48,7 @@ export function branchTable({ skeleton, unit, onChoose, onFind }: BranchTableOpt
                                 type: 'button',
                                 class: 'link-button',
                                 click: find,
-                                'aria-label': say('Models with branch {number}', {
+                                'aria-label': say('Find models with branch {number}', {
                                     number: rows.size + 1,
                                 }),
                             },

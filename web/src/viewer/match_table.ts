@@ -68,7 +68,7 @@ export function matchTable(options: MatchTableOptions): MatchTable {
                             type: 'button',
                             class: 'link-button',
                             click: () => onFind(pair),
-                            'aria-label': say('Models with branch {number}', {
+                            'aria-label': say('Find models with branch {number}', {
                                 number: pair.number,
                             }),
                         },

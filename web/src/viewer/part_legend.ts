@@ -59,7 +59,7 @@ export function partLegend({ parts, colors, onChoose, onFind }: PartLegendOption
                         type: 'button',
                         class: 'link-button',
                         click: () => onFind(index),
-                        'aria-label': say('Models with part {number}', { number: index + 1 }),
+                        'aria-label': say('Find models with part {number}', { number: index + 1 }),
                     },
                     say('Find'),
                 ),
