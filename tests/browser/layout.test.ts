@@ -9,6 +9,12 @@ const kNarrow = { width: 320, height: 700 };
 
 // Still too wide for this: to be mended.
 const kTooWide = [
+    'the comparison',
+    'the comparison, and what can be taken away',
+    'the comparison of long names',
+    'the comparison without WebGL',
+    'the comparison, one laid over the other',
+    'the parts',
     'the parts of a long name',
     'a closer look with all that can be set',
     'a closer look at long names',
