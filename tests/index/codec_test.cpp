@@ -13,6 +13,7 @@
 #include "index/packed_bytes.h"
 #include "index/round_skeleton.h"
 #include "index/scan_block.h"
+#include "tests/index/earlier_versions.h"
 #include "tests/index/sample_index.h"
 
 namespace ossuary::index {
@@ -156,49 +157,6 @@ TEST_P(CodecTest, RefusesALaterVersionAsNewer) {
     EXPECT_EQ(decoded.error().code, ErrorCode::kIndexNewer);
 }
 
-/// A blob of an earlier version, sealed as that version's program did.
-std::string sealed_as(const BlobKind& kind, std::uint8_t version, std::string_view payload) {
-    return seal_blob({kind.mark, version}, payload);
-}
-
-/// A descriptor's blob as versions 1 and 2 had it.
-std::string earlier_descriptor(const matching::SkeletonDescriptor& descriptor,
-                               std::uint8_t version) {
-    ByteWriter writer;
-    if (version == 2) writer.put(descriptor.solid_volume);
-    writer.put(static_cast<std::uint32_t>(descriptor.nodes.size()));
-    for (const matching::SkeletonDescriptor::Node& node : descriptor.nodes) {
-        for (const float coordinate : node.position) writer.put(coordinate);
-        writer.put(node.radius);
-        writer.put(node.significance);
-    }
-    writer.put(static_cast<std::uint32_t>(descriptor.branches.size()));
-    for (const matching::SkeletonDescriptor::Branch& branch : descriptor.branches) {
-        writer.put(branch.a);
-        writer.put(branch.b);
-        writer.put(branch.length);
-        writer.put_text(branch.chain_code);
-        writer.put(static_cast<std::uint32_t>(branch.radii.size()));
-        writer.put_all<float>(branch.points);
-        writer.put_all<float>(branch.radii);
-    }
-    return sealed_as(kDescriptorBlob, version, writer.bytes());
-}
-
-TEST(EarlierVersions, OfDescriptorsAreReadInFull) {
-    matching::SkeletonDescriptor descriptor = test::sample_model(4, "/x").descriptor.skeleton;
-    ASSERT_GT(descriptor.limb_volume, 0.0F);
-    descriptor.limb_volume = 0.0F;  // earlier versions have none
-    const auto second = decode_descriptor(earlier_descriptor(descriptor, 2));
-    ASSERT_TRUE(second) << second.error().message;
-    EXPECT_EQ(encode_descriptor(*second), encode_descriptor(descriptor));
-    const auto first = decode_descriptor(earlier_descriptor(descriptor, 1));
-    ASSERT_TRUE(first) << first.error().message;
-    EXPECT_EQ(first->solid_volume, 0.0F) << "version 1 has none";
-    descriptor.solid_volume = 0.0F;
-    EXPECT_EQ(encode_descriptor(*first), encode_descriptor(descriptor));
-}
-
 /// A branch between two nodes with `samples` samples, rounded or not.
 matching::SkeletonDescriptor one_branch(std::size_t samples, std::size_t digits, bool rounded) {
     matching::SkeletonDescriptor descriptor;
@@ -232,7 +190,8 @@ TEST(Codec, PacksRoundedSamplesAndGivesThemBackBitByBit) {
                 const std::string blob = encode_descriptor(descriptor);
                 const auto read = decode_descriptor(blob);
                 ASSERT_TRUE(read) << read.error().message;
-                EXPECT_EQ(earlier_descriptor(*read, 2), earlier_descriptor(descriptor, 2));
+                EXPECT_EQ(test::earlier_descriptor(*read, 2),
+                          test::earlier_descriptor(descriptor, 2));
                 EXPECT_LE(blob.size(), 100 + (rounded ? 8 : 16) * samples + digits / 3 + 1);
             }
         }
@@ -242,7 +201,8 @@ TEST(Codec, PacksRoundedSamplesAndGivesThemBackBitByBit) {
 TEST(Codec, LeavesSamplesThatAreNotRoundedAsTheyAre) {
     const auto comes_back = [](const matching::SkeletonDescriptor& descriptor) {
         const auto read = decode_descriptor(encode_descriptor(descriptor));
-        return read && earlier_descriptor(*read, 2) == earlier_descriptor(descriptor, 2);
+        return read &&
+               test::earlier_descriptor(*read, 2) == test::earlier_descriptor(descriptor, 2);
     };
     for (const float odd : {-0.0F, 8.0F, -8.1F, 1e30F, 0.5F * matching::kPointUnit}) {
         matching::SkeletonDescriptor descriptor = one_branch(3, 5, true);
@@ -261,10 +221,10 @@ TEST(Codec, RefusesPackedDigitsThatStandForNone) {
     std::string payload = blob.substr(kBlobHeaderSize, blob.size() - 16);
     // The last bytes are the digits, the number of samples and two rounded samples.
     char& digits = payload[payload.size() - 3 - 2 * 8];
-    ASSERT_TRUE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload)));
+    ASSERT_TRUE(decode_descriptor(seal_blob(kDescriptorBlob, payload)));
     for (const int byte : {125, 255, 1}) {  // 1: a third digit where there are two
         digits = static_cast<char>(byte);
-        EXPECT_FALSE(decode_descriptor(sealed_as(kDescriptorBlob, 3, payload))) << byte;
+        EXPECT_FALSE(decode_descriptor(seal_blob(kDescriptorBlob, payload))) << byte;
     }
 }
 
@@ -311,23 +271,6 @@ TEST(Codec, RefusesSegmentsThatCannotBe) {
     EXPECT_TRUE(refused([](auto& s) { s.parts[0].neighbors = {1, 1}; })) << "twice";
 }
 
-TEST(EarlierVersions, OfGlobalsKeepNamesAndLengths) {
-    const auto blob = [](float last) {
-        ByteWriter writer;
-        writer.put(std::uint32_t{1});
-        writer.put_text("d2");
-        writer.put(std::uint32_t{3});
-        writer.put_all<float>(std::vector<float>{0.5F, 1.0F, last});
-        return sealed_as(kGlobalsBlob, 1, writer.bytes());
-    };
-    const auto read = decode_globals(blob(2.0F));
-    ASSERT_TRUE(read) << read.error().message;
-    ASSERT_EQ(read->size(), 1U);
-    EXPECT_EQ(read->front().name, "d2");
-    EXPECT_EQ(read->front().values.size(), 3U);
-    EXPECT_FALSE(decode_globals(blob(std::numeric_limits<float>::infinity())));
-}
-
 TEST_P(CodecTest, RefusesEveryOtherKind) {
     for (const Case& other : cases()) {
         if (other.name == case_.name) continue;
@@ -367,22 +310,6 @@ TEST(Codec, RefusesIndicesOutOfRange) {
     EXPECT_FALSE(decode_preview(encode_preview(model.preview)));
 }
 
-TEST(Codec, ReadsPreviewsOfVersionOneAboutTheFilesOrigin) {
-    const std::string blob = std::string("MESH\x01\0\0\0", 8);
-    const auto text = [](auto number) {
-        return std::string(reinterpret_cast<const char*>(&number), sizeof number);
-    };
-    std::string bytes = blob + text(std::uint32_t{3}) + text(std::uint32_t{1}) + '\x02';
-    for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 5.F}) bytes += text(x);
-    for (std::uint16_t v = 0; v < 3; ++v) bytes += text(v);
-    bytes += text(XXH3_64bits(bytes.data(), bytes.size()));
-    const auto decoded = decode_preview(bytes);
-    ASSERT_TRUE(decoded) << decoded.error().message;
-    EXPECT_EQ(decoded->origin, Vec3(0, 0, 0));
-    EXPECT_EQ(decoded->positions.back(), 5.F);
-    EXPECT_EQ(decoded->colours, PreviewColours{});
-}
-
 TEST(Codec, KeepsTheColoursOfPreviewsWhateverTheyAreOf) {
     using Of = PreviewColours::Of;
     PreviewMesh mesh = test::sample_model(1, "").preview;
@@ -405,102 +332,6 @@ TEST(Codec, KeepsTheColoursOfPreviewsWhateverTheyAreOf) {
     }
     mesh.colours = {static_cast<Of>(5), {}};
     EXPECT_FALSE(decode_preview(encode_preview(mesh)));
-}
-
-/// A preview's blob as versions 2 and 3 had it. @pre at most 65,536 vertices
-std::string earlier_preview(const PreviewMesh& mesh, std::uint8_t version) {
-    ByteWriter writer;
-    writer.put(static_cast<std::uint32_t>(mesh.positions.size() / 3));
-    writer.put(static_cast<std::uint32_t>(mesh.triangles.size() / 3));
-    writer.put(std::uint8_t{2});
-    for (const double coordinate : mesh.origin) writer.put(coordinate);
-    writer.put_all<float>(mesh.positions);
-    for (const std::uint32_t corner : mesh.triangles) {
-        writer.put(static_cast<std::uint16_t>(corner));
-    }
-    if (version >= 3) {
-        writer.put(static_cast<std::uint8_t>(mesh.colours.of));
-        writer.put_all<std::uint8_t>(mesh.colours.bytes);
-    }
-    return sealed_as(kPreviewBlob, version, writer.bytes());
-}
-
-TEST(EarlierVersions, OfPreviewsAreReadInFull) {
-    PreviewMesh mesh = test::sample_model(1, "").preview;
-    mesh.origin = {1.0, -2.5, 1e6};
-    const auto third = decode_preview(earlier_preview(mesh, 3));
-    ASSERT_TRUE(third) << third.error().message;
-    EXPECT_EQ(encode_preview(*third), encode_preview(mesh));
-    const auto second = decode_preview(earlier_preview(mesh, 2));
-    ASSERT_TRUE(second) << second.error().message;
-    EXPECT_EQ(second->colours, PreviewColours{}) << "version 2 has none";
-    EXPECT_EQ(second->positions, mesh.positions);
-}
-
-TEST(EarlierVersions, OfSkeletonsAreReadInFull) {
-    const skeleton::SkeletonGraph graph = test::sample_model(4, "/x").skeleton;
-    ByteWriter writer;
-    const auto put = [&](const Vec3& point) {
-        for (const double coordinate : point) writer.put(coordinate);
-    };
-    writer.put(static_cast<std::uint32_t>(graph.nodes.size()));
-    for (const auto& node : graph.nodes) {
-        put(node.position);
-        writer.put(node.radius);
-        writer.put(node.significance);
-        writer.put(static_cast<std::int32_t>(node.degree));
-    }
-    writer.put(static_cast<std::uint32_t>(graph.branches.size()));
-    for (const auto& branch : graph.branches) {
-        writer.put(branch.a);
-        writer.put(branch.b);
-        writer.put(static_cast<std::uint32_t>(branch.points.size()));
-        for (const Vec3& point : branch.points) put(point);
-        writer.put_all<double>(branch.radii);
-    }
-    const auto read = decode_skeleton(sealed_as(kSkeletonBlob, 1, writer.bytes()));
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(encode_skeleton(*read), encode_skeleton(graph));
-}
-
-TEST(EarlierVersions, OfGlobalsAreNotPacked) {
-    const auto globals = test::sample_model(4, "/x").descriptor.globals;
-    ByteWriter writer;
-    writer.put(static_cast<std::uint32_t>(globals.size()));
-    for (const auto& global : globals) {
-        writer.put_text(global.name);
-        writer.put(static_cast<std::uint32_t>(global.values.size()));
-        writer.put_all<std::uint8_t>(global.values);
-    }
-    const auto read = decode_globals(sealed_as(kGlobalsBlob, 2, writer.bytes()));
-    ASSERT_TRUE(read) << read.error().message;
-    EXPECT_EQ(encode_globals(*read), encode_globals(globals));
-}
-
-TEST(EarlierVersions, OfSegmentsHaveALabelForEachTriangle) {
-    for (const std::uint32_t count : {2U, 300U}) {  // labels of one byte and of four
-        ByteWriter writer;
-        writer.put(count);
-        for (std::uint32_t p = 0; p < count; ++p) {
-            writer.put(0.5);
-            writer.put(std::int32_t{-1});
-            writer.put(std::uint32_t{0});
-        }
-        writer.put(2 * count);
-        std::vector<std::uint32_t> labels;
-        for (std::uint32_t t = 0; t < 2 * count; ++t) {
-            labels.push_back(t % count);
-            if (count > 256) {
-                writer.put(labels.back());
-            } else {
-                writer.put(static_cast<std::uint8_t>(labels.back()));
-            }
-        }
-        const auto read = decode_segments(sealed_as(kSegmentsBlob, 1, writer.bytes()));
-        ASSERT_TRUE(read) << read.error().message;
-        EXPECT_EQ(read->labels, labels);
-        EXPECT_EQ(read->parts.size(), count);
-    }
 }
 
 /// A wave of vertices on a grid of cells, whose positions are multiples of 2^exponent.
@@ -528,7 +359,7 @@ TEST(Codec, WritesPreviewsOnAGridInAThirdOfTheBytesAndGivesThemBackBitByBit) {
     for (const int exponent : {-140, -20, 0, 3, 100}) {
         const PreviewMesh mesh = wave(exponent);
         const std::string blob = encode_preview(mesh);
-        EXPECT_LT(blob.size(), earlier_preview(mesh, 3).size() / 3);
+        EXPECT_LT(blob.size(), test::earlier_preview(mesh, 3).size() / 3);
         const auto read = decode_preview(blob);
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(read->positions, mesh.positions);
