@@ -80,7 +80,8 @@ Checked<Response> query_similar(Service& service, const Request& request) {
 
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto result = service.searcher.nearest((*query)->described(), options, request.stop);
+    const auto result = service.searcher.nearest((*query)->described(), options, request.stop,
+                                                 options.rank.part ? &(*query)->piece() : nullptr);
     if (!result) return fail(result.error());
     service.metrics.search(result->stages_ms);
     const auto up = (*query)->up(request.stop);

@@ -905,6 +905,18 @@ export interface components {
             pose_difference: components["schemas"]["PoseDifference"];
             /** @description Matched pairs of nodes. */
             matched_nodes: number;
+            /** @description Where a part lies in the hit; null without `part`, and where no place was looked for or found. */
+            placement?: {
+                /**
+                 * @description Rows of the 4 x 4 matrix that takes points of the query (its file's coordinates, as columns)
+                 *     to points of the hit.
+                 */
+                matrix: number[][];
+                /** @description How much larger the part is in the hit. */
+                scale: number;
+                /** @description Share of the part's area that lies on the hit and faces its way. */
+                explained: number;
+            } | null;
             match: components["schemas"]["Match"];
         };
         SearchResult: {
@@ -1244,9 +1256,12 @@ export interface components {
         /** @description Whether to re-rank by what the models of the collection have in common with each other. */
         Rerank: boolean;
         /**
-         * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-         *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-         *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+         * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+         *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+         *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+         *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+         *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+         *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
          */
         Part: boolean;
         /**
@@ -1384,9 +1399,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -1480,9 +1498,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -1901,9 +1922,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -2158,9 +2182,12 @@ export interface operations {
                 /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
                 size?: components["parameters"]["Size"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
             };
