@@ -8,8 +8,10 @@
 #include "engine/mesh/measures.h"
 #include "engine/mesh/read_mesh.h"
 #include "index/build_and_pose.h"
+#include "index/codec.h"
 #include "index/evaluation.h"
 #include "index/indexer.h"
+#include "index/missing_features.h"
 #include "index/pose_gallery.h"
 #include "index/presentation.h"
 #include "tests/index/sample_index.h"
@@ -442,6 +444,30 @@ TEST_F(SearcherTest, SaysOfHowManyModelsTheSurfaceIsNotKnown) {
             EXPECT_FALSE(hit.placement);
         }
     }
+}
+
+TEST_F(SearcherTest, MakesFeaturesThatAnEarlierIndexLacksAsTheyAreMadeToday) {
+    test::TemporaryFolder folder;
+    const fs::path copy = folder.path() / "y.index";
+    fs::copy_file(index(), copy);
+    auto store = *Store::open(copy, Access::kReadWrite);
+    const auto before = *store.features(0, 100);
+    ASSERT_EQ(before.size(), 9U);
+    test::execute_sql(copy, "DELETE FROM surface_features WHERE model <> 3");
+    EXPECT_EQ(store.without_features(0, 100)->size(), 8U);
+    const Revision revision = *store.revision();
+    EXPECT_EQ(*add_missing_features(store, 2), 8U);
+    EXPECT_EQ(*store.revision(), revision);
+    EXPECT_EQ(*add_missing_features(store, 2), 0U);
+    const auto after = *store.features(0, 100);
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        EXPECT_EQ(encode_features(after[i].features), encode_features(before[i].features));
+    }
+    std::stop_source stopped;
+    stopped.request_stop();
+    EXPECT_EQ(add_missing_features(store, 2, stopped.get_token()).error().code,
+              ErrorCode::kCancelled);
 }
 
 TEST_F(SearcherTest, ShowsModelsBesideTheNearestOfTheirClassByBuildAndByPose) {

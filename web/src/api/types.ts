@@ -906,7 +906,7 @@ export interface components {
             /** @description Matched pairs of nodes. */
             matched_nodes: number;
             /** @description Where a part lies in the hit; null without `part`, and where no place was looked for or found. */
-            placement?: {
+            placement: {
                 /**
                  * @description Rows of the 4 x 4 matrix that takes points of the query (its file's coordinates, as columns)
                  *     to points of the hit.
