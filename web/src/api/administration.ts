@@ -1,6 +1,7 @@
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
 import { sendForm, type SentForm } from './send_form';
 import type { FailureList, Job } from './types';
+import { kRoot } from './root';
 
 export type IndexFailure = FailureList['failures'][number];
 
@@ -62,14 +63,15 @@ export function createAdministration(
 
     return {
         async failures(signal) {
-            return (await request<FailureList>('/v1/failures', signal ? { signal } : {})).failures;
+            return (await request<FailureList>(`${kRoot}/v1/failures`, signal ? { signal } : {}))
+                .failures;
         },
         async add(file, className, onSent, signal) {
             const body = new FormData();
             body.append('model', file, file.name);
             const query = className === '' ? '' : `?${new URLSearchParams({ class: className })}`;
             const response = await send({
-                path: `/v1/models${query}`,
+                path: `${kRoot}/v1/models${query}`,
                 headers,
                 body,
                 onSent,
@@ -78,13 +80,13 @@ export function createAdministration(
             const { job } = await answered<{ job: string }>(response);
             return Number(job.slice(job.lastIndexOf('/') + 1));
         },
-        job: (id, signal) => request<Job>(`/v1/jobs/${id}`, signal ? { signal } : {}),
+        job: (id, signal) => request<Job>(`${kRoot}/v1/jobs/${id}`, signal ? { signal } : {}),
         async remove(model) {
-            await request(`/v1/models/${model}`, { method: 'DELETE' });
+            await request(`${kRoot}/v1/models/${model}`, { method: 'DELETE' });
         },
         async classify(model, className) {
             const query = new URLSearchParams({ class: className });
-            await request(`/v1/models/${model}?${query}`, { method: 'PATCH' });
+            await request(`${kRoot}/v1/models/${model}?${query}`, { method: 'PATCH' });
         },
     };
 }

@@ -13,6 +13,7 @@ import type {
     Segments,
     Skeleton,
 } from './types';
+import { kRoot } from './root';
 
 export interface ClientOptions {
     /** Before every path; empty: the page's own origin. */
@@ -89,11 +90,13 @@ export interface Client {
 
 /** Where the server has what it holds of a model. */
 export function pathOf(model: HeldModel): string {
-    return model.kind === 'model' ? `/v1/models/${model.id}` : `/v1/queries/${model.token}`;
+    return model.kind === 'model'
+        ? `${kRoot}/v1/models/${model.id}`
+        : `${kRoot}/v1/queries/${model.token}`;
 }
 
 export function evaluationPath(ranker: Ranker, form: '' | '.csv' | '.svg' = ''): string {
-    return `/v1/evaluations/${ranker}${form}`;
+    return `${kRoot}/v1/evaluations/${ranker}${form}`;
 }
 
 /** Only what is asked for; the same names in the page's address and in the request. */
@@ -181,7 +184,7 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
             const body = new FormData();
             body.append('model', file, file.name);
             const response = await sendFile({
-                path: `${base}/v1/search?${query}`,
+                path: `${base}${kRoot}/v1/search?${query}`,
                 headers: { Accept: 'application/json, application/problem+json' },
                 body,
                 onSent,
@@ -193,12 +196,12 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
             return get(`${pathOf(model)}/similar?${encodeSearch(parameters)}`, signal);
         },
         compare(a, b, parameters, signal) {
-            return get(`/v1/compare?${encodeComparison(a, b, parameters)}`, signal);
+            return get(`${kRoot}/v1/compare?${encodeComparison(a, b, parameters)}`, signal);
         },
         models: (filter, stretch, signal) =>
-            get(`/v1/models?${encodeList(filter, stretch)}`, signal),
-        facets: (filter, signal) => get(`/v1/facets?${encodeFilter(filter)}`, signal),
-        model: (id, signal) => get(`/v1/models/${id}`, signal),
+            get(`${kRoot}/v1/models?${encodeList(filter, stretch)}`, signal),
+        facets: (filter, signal) => get(`${kRoot}/v1/facets?${encodeFilter(filter)}`, signal),
+        model: (id, signal) => get(`${kRoot}/v1/models/${id}`, signal),
         mesh: (model, signal) => get(`${pathOf(model)}/mesh`, signal),
         skeleton: (model, signal) => get(`${pathOf(model)}/skeleton`, signal),
         segments: (model, signal) => get(`${pathOf(model)}/segments`, signal),
