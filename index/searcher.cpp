@@ -137,6 +137,8 @@ Result<Found> find_hits(const Question& question, Store& store) {
     const Snapshot& snapshot = question.snapshot;
     Found result;
     Stopwatch watch;
+    const StageReport& on_stage = question.options.on_stage;
+    if (on_stage) on_stage("rank");
     const auto models = ranked(question, store);
     if (!models) return models.error();
     std::vector<std::uint32_t> positions;
@@ -164,6 +166,7 @@ Result<Found> find_hits(const Question& question, Store& store) {
     for (std::size_t i = 0; i < copies.size(); ++i) result.hits[i].copies = copies[i] - 1;
     result.stages_ms.push_back({"rank", watch.lap_ms()});
     if (question.options.with_match) {
+        if (on_stage) on_stage("explain");
         if (auto done = explain_hits(question, positions, result.hits); !done) return done.error();
         result.stages_ms.push_back({"explain", watch.lap_ms()});
     }
@@ -288,9 +291,11 @@ Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
     return loaded;
 }
 
-Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::stop_token stop) {
-    auto description =
-        descriptor::describe(query, describe_options(impl_->store.parameters()), std::move(stop));
+Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::stop_token stop,
+                                          const StageReport& on_stage) {
+    descriptor::DescribeOptions options = describe_options(impl_->store.parameters());
+    options.skeletonize.on_stage = on_stage;
+    auto description = descriptor::describe(query, options, std::move(stop));
     if (!description) return description.error();
     DescribedQuery described;
     described.skeleton =
@@ -345,7 +350,7 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
     const Stopwatch total;
     // Loaded before the query is described: a damaged index is told at once.
     if (const auto loaded = snapshot(); !loaded) return loaded.error();
-    auto described = describe(query, stop);
+    auto described = describe(query, stop, options.on_stage);
     if (!described) return described.error();
     auto result = nearest(*described, options, std::move(stop));
     if (!result) return result.error();
