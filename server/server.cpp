@@ -57,8 +57,8 @@ struct Server::Parts {
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
           queries({.bytes = options.kept_queries_bytes}),
-          service{options, log,   metrics,       searcher, reader,  slots,        evaluations,
-                  queries, files, std::string(), nullptr,  nullptr, random_word()},
+          service{options, log,      metrics, searcher,      reader,  slots,   evaluations,
+                  queries, progress, files,   std::string(), nullptr, nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -72,6 +72,7 @@ struct Server::Parts {
     Slots slots;
     Evaluations evaluations;
     Queries queries;
+    Progress progress;
     Service service;
     IndexWatch watch;
     Application application;

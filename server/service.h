@@ -11,6 +11,7 @@
 #include "server/log.h"
 #include "server/metrics.h"
 #include "server/options.h"
+#include "server/progress.h"
 #include "server/queries.h"
 #include "server/slots.h"
 #include "server/static_files.h"
@@ -28,6 +29,7 @@ struct Service {
     Slots& slots;  ///< for whatever keeps a processor busy
     Evaluations& evaluations;
     Queries& queries;
+    Progress& progress;
     const StaticFiles& files;
     std::string admin_key;  ///< empty where administration is off, then there are neither of these
     std::unique_ptr<StatisticsUpdater> statistics;

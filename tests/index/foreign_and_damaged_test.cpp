@@ -303,6 +303,7 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
         (void)store->scan();
         (void)store->descriptors(std::vector<ModelId>{1, 2, 3, 4, 5, 6});
         (void)store->listed(1, 6);
+        (void)store->loops(1, 6);
         (void)store->evaluations();
         for (ModelId id = 1; id <= 6; ++id) {
             (void)store->skeleton(id);
