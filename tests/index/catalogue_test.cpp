@@ -54,25 +54,33 @@ protected:
         model.summary.bounds = Box3(Vec3::Zero(), Vec3(1.0, static_cast<double>(faces), 2.0));
         if (faces == 30) model.summary.frame.metres_per_unit = 0.0;
         if (faces == 40) model.summary.frame.metres_per_unit = 0.0254;
-        bend(model.skeleton, faces / 10 - 1);
-        ASSERT_TRUE(store->put(std::move(model)));
+        bend(model, faces / 10 - 1);
+        const auto put = store->put(std::move(model));
+        ASSERT_TRUE(put) << put.error().message;
     }
     /// A skeleton of two pieces with so many loops.
-    static void bend(skeleton::SkeletonGraph& graph, std::uint32_t loops) {
-        graph = {};
-        graph.nodes.resize(3);
+    static void bend(NewModel& model, std::uint32_t loops) {
+        model.skeleton = {};
+        model.skeleton.nodes.resize(3);
+        auto& coded = model.descriptor.skeleton;
+        coded.nodes.resize(2);
+        coded.nodes.push_back(coded.nodes.front());
+        coded.branches.clear();
         const auto add_branch = [&](std::uint32_t a, std::uint32_t b) {
             skeleton::SkeletonGraph::Branch branch;
             branch.a = a;
             branch.b = b;
             branch.points = {Vec3::Zero(), Vec3::Ones()};
             branch.radii = {0.1, 0.1};
-            graph.branches.push_back(std::move(branch));
+            model.skeleton.branches.push_back(std::move(branch));
+            coded.branches.push_back({a, b, "01", {0, 0, 0, 1, 1, 1}, {0.1F, 0.1F}, 1.0F});
         };
         add_branch(0, 1);
-        for (std::uint32_t i = 0; i < loops; ++i)
+        for (std::uint32_t i = 0; i < loops; ++i) {
             add_branch(i % 2 == 0 ? 2 : 1, i % 2 == 0 ? 2 : 0);
-        skeleton::update_degrees(graph);
+        }
+        skeleton::update_degrees(model.skeleton);
+        matching::derive_matching_data(coded);
     }
     std::vector<std::string> names(const CatalogueFilter& filter,
                                    CatalogueOrder order = CatalogueOrder::kId) {
