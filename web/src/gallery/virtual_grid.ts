@@ -152,7 +152,12 @@ export class VirtualGrid {
         fill(top, bottom);
         fill(first, end);
         if (made === kAtOnce) {
-            this.draw();
+            // What is on its way, or has failed, is not asked for again by that.
+            cancelAnimationFrame(this.frame_);
+            this.frame_ = requestAnimationFrame(() => {
+                const sight = this.sight;
+                this.fill(sight.first, sight.end);
+            });
         }
     }
 
