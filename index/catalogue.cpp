@@ -1,16 +1,15 @@
 #include "index/catalogue.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+
+#include "index/catalogue_sieve.h"
 
 namespace ossuary::index {
 
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
 /// Takes the digits that `text` starts with off it; without the zeros in front.
 std::string_view take_number(std::string_view& text) {
@@ -19,99 +18,6 @@ std::string_view take_number(std::string_view& text) {
     text.remove_prefix(end);
     number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
     return number;
-}
-
-bool contains(std::string_view text, std::string_view lower_part) {
-    return std::search(text.begin(), text.end(), lower_part.begin(), lower_part.end(),
-                       [](char a, char b) { return lower(a) == b; }) != text.end();
-}
-
-/// Below the roots; empty for what lies in a root itself.
-std::string folder_of(const std::string& relative) {
-    const std::size_t inside = std::min(relative.find('#'), relative.size());
-    const std::size_t slash = relative.rfind('/', inside);
-    return slash == std::string::npos ? std::string() : relative.substr(0, slash);
-}
-
-bool is_in(const std::string& folder, const std::string& wanted) {
-    return wanted.empty() || folder == wanted ||
-           (folder.starts_with(wanted) && folder[wanted.size()] == '/');
-}
-
-enum class Asked { kName = 1, kClass = 2, kFolder = 4, kKind = 8 };
-
-/// The filter with what it costs to ask it of many models.
-class Sieve {
-public:
-    Sieve(const Snapshot& snapshot, const CatalogueFilter& filter)
-        : roots_(snapshot.roots()), filter_(filter) {
-        for (const char c : filter.name_contains) name_ += lower(c);
-    }
-
-    /// Which of the filter's questions a model fails, as a set of Asked.
-    [[nodiscard]] unsigned failed(const CatalogueEntry& model) const {
-        unsigned set = 0;
-        const auto fail = [&set](Asked question) { set |= static_cast<unsigned>(question); };
-        if (!name_.empty() && !contains(model.name, name_)) fail(Asked::kName);
-        if (filter_.class_name && *filter_.class_name != model.class_name) fail(Asked::kClass);
-        if (filter_.folder && !is_in(folder_of(roots_.relative(model.path)), *filter_.folder)) {
-            fail(Asked::kFolder);
-        }
-        if (filter_.kind && *filter_.kind != file_kind(model.path)) fail(Asked::kKind);
-        return set;
-    }
-
-private:
-    const ModelRoots& roots_;
-    const CatalogueFilter& filter_;
-    std::string name_;  ///< in small letters
-};
-
-using Counts = std::map<std::string, std::size_t>;
-
-std::vector<FacetValue> values_of(const Counts& counts) {
-    std::vector<FacetValue> values;
-    for (const auto& [value, models] : counts) values.push_back({value, models});
-    if (values.size() > kMostFacetValues) {
-        std::stable_sort(
-            values.begin(), values.end(),
-            [](const FacetValue& a, const FacetValue& b) { return a.models > b.models; });
-        values.resize(kMostFacetValues);
-    }
-    std::stable_sort(values.begin(), values.end(), [](const FacetValue& a, const FacetValue& b) {
-        return natural_less(a.value, b.value);
-    });
-    return values;
-}
-
-/// Counts values of which many equal the one before.
-class Run {
-public:
-    explicit Run(Counts& counts) : counts_(counts) {}
-    void add(std::string_view value) {
-        if (length_ == 0 || value != value_) {
-            end();
-            value_ = value;
-        }
-        ++length_;
-    }
-    void end() {
-        if (length_ > 0) counts_[value_] += length_;
-        length_ = 0;
-    }
-
-private:
-    Counts& counts_;
-    std::string value_;
-    std::size_t length_ = 0;
-};
-
-void count_folders(Counts& counts, const std::string& folder, std::size_t models) {
-    for (std::size_t end = folder.find('/'); end != std::string::npos;
-         end = folder.find('/', end + 1)) {
-        counts[folder.substr(0, end)] += models;
-    }
-    if (!folder.empty()) counts[folder] += models;
 }
 
 }  // namespace
@@ -159,7 +65,7 @@ Result<std::vector<std::size_t>> list_models(const Snapshot& snapshot, Store& st
                                              const CatalogueFilter& filter, CatalogueOrder order) {
     std::vector<std::size_t> positions;
     if (order == CatalogueOrder::kId && filter.name_contains.empty() && !filter.folder &&
-        !filter.kind) {
+        !filter.kind && !filter.branches && !filter.loops && !filter.extent && !filter.unit) {
         // Known without a look at names.
         if (filter.class_name) {
             const auto of_class = snapshot.of_class(*filter.class_name);
@@ -178,8 +84,14 @@ Result<std::vector<std::size_t>> list_models(const Snapshot& snapshot, Store& st
         positions.resize(models.size());
         std::iota(positions.begin(), positions.end(), std::size_t{0});
     }
-    const Sieve sieve(snapshot, filter);
-    std::erase_if(positions, [&](std::size_t at) { return sieve.failed(models[at]) != 0; });
+    Loops loops;
+    if (filter.loops) {
+        auto loaded = snapshot.loops(store);
+        if (!loaded) return loaded.error();
+        loops = *std::move(loaded);
+    }
+    const Sieve sieve(snapshot, filter, std::move(loops));
+    std::erase_if(positions, [&](std::size_t at) { return sieve.failed(models[at], at) != 0; });
     const auto sort_by = [&](auto before) {
         std::stable_sort(positions.begin(), positions.end(), [&](std::size_t a, std::size_t b) {
             return before(models[a], models[b]);
@@ -200,35 +112,6 @@ Result<std::vector<std::size_t>> list_models(const Snapshot& snapshot, Store& st
             break;
     }
     return positions;
-}
-
-Result<Facets> count_facets(const Snapshot& snapshot, Store& store, const CatalogueFilter& filter) {
-    const auto catalogue = snapshot.catalogue(store);
-    if (!catalogue) return catalogue.error();
-    const Sieve sieve(snapshot, filter);
-    Counts classes, folders, kinds;
-    // Most models have the class, folder and ending of the one before.
-    Run class_run(classes), kind_run(kinds);
-    std::map<std::string, std::size_t> whole_folders;
-    Run folder_run(whole_folders);
-    for (std::size_t i = 0; i < (*catalogue)->size(); ++i) {
-        const CatalogueEntry& model = (**catalogue)[i];
-        const unsigned failed = sieve.failed(model);
-        const auto counts_for = [failed](Asked question) {
-            return (failed & ~static_cast<unsigned>(question)) == 0;
-        };
-        if (counts_for(Asked::kClass)) class_run.add(model.class_name);
-        if (counts_for(Asked::kFolder)) {
-            folder_run.add(folder_of(snapshot.roots().relative(model.path)));
-        }
-        if (counts_for(Asked::kKind)) kind_run.add(file_kind(model.path));
-    }
-    class_run.end();
-    kind_run.end();
-    folder_run.end();
-    kinds.erase("");
-    for (const auto& [folder, models] : whole_folders) count_folders(folders, folder, models);
-    return Facets{values_of(classes), values_of(folders), values_of(kinds)};
 }
 
 }  // namespace ossuary::index

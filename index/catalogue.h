@@ -18,6 +18,12 @@ struct CatalogueFilter {
     std::optional<std::string> folder =
         {};  ///< below the roots; only what lies in it or further down
     std::optional<std::string> kind = {};  ///< only files of this ending, see file_kind
+    // Only models whose number is in the range of that name (number_ranges.h); a name of no range
+    // is passed by none.
+    std::optional<std::string> branches = {};
+    std::optional<std::string> loops = {};
+    std::optional<std::string> extent = {};  ///< longest side
+    std::optional<std::string> unit = {};    ///< only files in this unit, see unit_name
 };
 
 enum class CatalogueOrder {
@@ -46,10 +52,15 @@ struct Facets {
     std::vector<FacetValue> classes;  ///< "" = without a class
     std::vector<FacetValue> folders;  ///< below the roots; each counts what lies further down
     std::vector<FacetValue> kinds;
+    std::vector<FacetValue> branches, loops, extents;  ///< ranges, ascending (number_ranges.h)
+    std::vector<FacetValue> units;                     ///< "" = files that name none
 };
 inline constexpr std::size_t kMostFacetValues = 1000;
+/// @param with_loops  whether to count loops too: the first time that takes several times as long
+///                    as all else, since it reads of every skeleton (Snapshot::loops)
 /// Errors: those of the store.
-Result<Facets> count_facets(const Snapshot& snapshot, Store& store, const CatalogueFilter& filter);
+Result<Facets> count_facets(const Snapshot& snapshot, Store& store, const CatalogueFilter& filter,
+                            bool with_loops = true);
 
 /// The lower-case ending of the file (or member of an archive) that a path names, without dot:
 /// `stl`; empty where there is none.

@@ -44,7 +44,8 @@ CatalogueBlock::CatalogueBlock(std::span<const ListedModel> models) {
     };
     entries_.reserve(models.size());
     for (const ListedModel& model : models) {
-        CatalogueEntry entry{model.id, model.faces, model.branches, {}, {}, {}, {}};
+        CatalogueEntry entry{model.id, model.faces,        model.branches,       {}, {}, {},
+                             {},       model.longest_side, model.metres_per_unit};
         entry.name = next(model.name);
         entry.class_name = next(model.class_name);
         entry.path = next(model.path);

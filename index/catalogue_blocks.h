@@ -18,6 +18,7 @@ struct CatalogueEntry {
     ModelId id = 0;
     std::uint32_t faces = 0, branches = 0;
     std::string_view name, class_name, path, indexed_at;  ///< as in ModelSummary
+    double longest_side = 0.0, metres_per_unit = 0.0;     ///< as in ListedModel
 };
 
 /// Some models' entries and the text that they point into.

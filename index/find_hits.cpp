@@ -142,6 +142,8 @@ Result<Found> find_hits(const Question& question, Store& store) {
     if (question.options.rank.part && question.piece != nullptr) return find_parts(question, store);
     Found found;
     Stopwatch watch;
+    const StageReport& on_stage = question.options.on_stage;
+    if (on_stage) on_stage("rank");
     const auto models = ranked(question, store);
     if (!models) return models.error();
     std::vector<std::uint32_t> positions;
@@ -150,6 +152,7 @@ Result<Found> find_hits(const Question& question, Store& store) {
     }
     found.stages_ms.push_back({"rank", watch.lap_ms()});
     if (question.options.with_match) {
+        if (on_stage) on_stage("explain");
         if (auto done = explain_hits(question, positions, found.hits); !done) return done.error();
         found.stages_ms.push_back({"explain", watch.lap_ms()});
     }

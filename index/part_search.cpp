@@ -227,6 +227,8 @@ Result<PartFits> part_fits(const Question& question, Store& store,
 Result<Found> find_parts(const Question& question, Store& store) {
     const Snapshot& snapshot = question.snapshot;
     Stopwatch watch;
+    const StageReport& on_stage = question.options.on_stage;
+    if (on_stage) on_stage("rank");
     const auto among = looked_among(snapshot, store, question.options);
     if (!among) return among.error();
     const auto fits = part_fits(question, store, *among ? &**among : nullptr);
@@ -250,6 +252,7 @@ Result<Found> find_parts(const Question& question, Store& store) {
     for (const std::uint32_t at : positions) fit_of[snapshot.id(at)] = &fits->fits[at];
     found.stages_ms.push_back({"rank", watch.lap_ms()});
     if (question.options.with_match) {
+        if (on_stage) on_stage("explain");
         if (auto done = explain_hits(question, positions, found.hits); !done) return done.error();
         found.stages_ms.push_back({"explain", watch.lap_ms()});
     }

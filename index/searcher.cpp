@@ -151,9 +151,11 @@ Result<std::shared_ptr<const Snapshot>> Searcher::snapshot() {
     return loaded;
 }
 
-Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::stop_token stop) {
-    auto description =
-        descriptor::describe(query, describe_options(impl_->store.parameters()), std::move(stop));
+Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::stop_token stop,
+                                          const StageReport& on_stage) {
+    descriptor::DescribeOptions options = describe_options(impl_->store.parameters());
+    options.skeletonize.on_stage = on_stage;
+    auto description = descriptor::describe(query, options, std::move(stop));
     if (!description) return description.error();
     DescribedQuery described;
     described.skeleton =
@@ -211,7 +213,7 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
     const Stopwatch total;
     // Loaded before the query is described: a damaged index is told at once.
     if (const auto loaded = snapshot(); !loaded) return loaded.error();
-    auto described = describe(query, stop);
+    auto described = describe(query, stop, options.on_stage);
     if (!described) return described.error();
     Stopwatch watch;
     std::optional<registration::PieceQuery> piece;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/result.h"
+#include "engine/core/stage_report.h"
 #include "engine/core/stopwatch.h"
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/matching/match.h"
@@ -31,6 +32,7 @@ struct SearchOptions {
     std::optional<std::string> folder, kind;  ///< as those of CatalogueFilter
     bool with_match = true;                   ///< parts and correspondences of the returned hits
     bool fold_copies = false;  ///< of models that are copies of each other, the nearest alone
+    StageReport on_stage = {};
 };
 
 struct Hit {
@@ -108,7 +110,8 @@ public:
     [[nodiscard]] StorePool& stores();
 
     /// As the models of the index were described. Errors: those of descriptor::describe.
-    Result<DescribedQuery> describe(const mesh::TriangleMesh& query, std::stop_token stop = {});
+    Result<DescribedQuery> describe(const mesh::TriangleMesh& query, std::stop_token stop = {},
+                                    const StageReport& on_stage = {});
     /// The models nearest to a query; its warnings, skeleton and body are left out of the result.
     /// @param piece  the query's surface, for a search by part; without, that goes by the skeleton
     /// alone

@@ -52,6 +52,7 @@ void Snapshot::assemble(StoredScan scan, const Snapshot* previous) {
     }
     roots_ = ModelRoots(scan.outer_paths);
     catalogue_ = CatalogueBlocks(blocks_, previous != nullptr ? &previous->catalogue_ : nullptr);
+    loops_ = LoopBlocks(blocks_, previous != nullptr ? &previous->loops_ : nullptr);
 }
 
 Snapshot::Place Snapshot::place(std::size_t position) const {

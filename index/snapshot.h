@@ -11,6 +11,7 @@
 #include "engine/ranking/preselection.h"
 #include "engine/ranking/ranker.h"
 #include "index/catalogue_blocks.h"
+#include "index/loop_blocks.h"
 #include "index/model.h"
 #include "index/model_roots.h"
 #include "index/scan_block.h"
@@ -64,6 +65,10 @@ public:
     Result<std::shared_ptr<const Catalogue>> catalogue(Store& store) const {
         return catalogue_.load(store);
     }
+    /// How many loops the skeletons of all models have, likewise.
+    Result<std::shared_ptr<const std::vector<std::uint32_t>>> loops(Store& store) const {
+        return loops_.load(store);
+    }
 
     /// Calls visit(block, position of its first model) for each block.
     template <typename Visit>
@@ -96,6 +101,7 @@ private:
     std::shared_ptr<const Judgement> judgement_;
     ModelRoots roots_;
     CatalogueBlocks catalogue_;
+    LoopBlocks loops_;
 };
 
 }  // namespace ossuary::index

@@ -112,6 +112,13 @@ struct ListedModel {
     ModelId id = 0;
     std::string name, class_name, path, indexed_at;  ///< as in ModelSummary
     std::uint32_t faces = 0, branches = 0;
+    double longest_side = 0.0;     ///< of its bounds, model units
+    double metres_per_unit = 0.0;  ///< 0 where the file names no unit
+};
+/// How many independent loops a model's skeleton has.
+struct ModelLoops {
+    ModelId id = 0;
+    std::uint32_t loops = 0;
 };
 /// What pieces of a model are found by, and when the model last changed.
 struct StoredFeatures {
@@ -243,6 +250,8 @@ public:
     Result<void> release_upload(const UploadClaim& claim);
     /// None for a number that was never given, or is not remembered any more.
     Result<std::optional<UploadRecord>> upload(UploadId id);
+    /// The last ones that were accepted, the newest first, whichever program works on them.
+    Result<std::vector<UploadRecord>> uploads(std::size_t most);
     Result<UploadQueue> upload_queue();
 
     // Work for the indexer. The claim is not exclusive: should two processes describe the same
@@ -264,6 +273,8 @@ public:
     Result<std::vector<StoredDescriptor>> descriptors(std::span<const ModelId> ids, int jobs = 1);
     /// The models with ids from `first` to `last`, in their order.
     Result<std::vector<ListedModel>> listed(ModelId first, ModelId last);
+    /// Likewise; looks at all their branches: some microseconds a model.
+    Result<std::vector<ModelLoops>> loops(ModelId first, ModelId last);
     Result<StoredSkeleton> skeleton(ModelId id);
     Result<PreviewMesh> preview(ModelId id);
     /// None for a model that could not be cut into parts.

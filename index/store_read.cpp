@@ -239,12 +239,15 @@ Result<std::vector<ListedModel>> Store::listed(ModelId first, ModelId last) {
     return impl_->locked([&]() -> Result<std::vector<ListedModel>> {
         std::vector<ListedModel> models;
         Query query(
-            impl_->statement("SELECT id, name, class, path, indexed_at, faces, branches "
-                             "FROM models WHERE id BETWEEN ? AND ? ORDER BY id"));
+            impl_->statement("SELECT id, name, class, path, indexed_at, faces, branches, "
+                             "max(max_x - min_x, max_y - min_y, max_z - min_z), metres_per_unit "
+                             "FROM models LEFT JOIN file_frames ON model = id "
+                             "WHERE id BETWEEN ? AND ? ORDER BY id"));
         query.bind(first, last);
         while (query.step()) {
             models.push_back({query.integer(0), query.text(1), query.text(2), query.text(3),
-                              query.text(4), count_from(query, 5), count_from(query, 6)});
+                              query.text(4), count_from(query, 5), count_from(query, 6),
+                              query.real(7), query.real(8)});
         }
         return models;
     });

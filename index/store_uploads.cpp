@@ -87,6 +87,27 @@ UploadState parse_state(std::string_view text, std::string_view claimant) {
     return running ? UploadState::kRunning : UploadState::kQueued;
 }
 
+constexpr std::string_view kSelectUploads =
+    "SELECT id, state, claimant, model, code, message, name, class, size, accepted_at, finished_at "
+    "FROM uploads ";
+
+UploadRecord record_from(const Query& row) {
+    UploadRecord record;
+    record.id = row.integer(0);
+    record.state = parse_state(row.text(1), row.text(2));
+    if (record.state == UploadState::kDone) record.model = row.integer(3);
+    if (record.state == UploadState::kFailed) {
+        record.code = row.text(4);
+        record.message = row.text(5);
+    }
+    record.name = row.text(6);
+    record.class_name = row.text(7);
+    record.size = static_cast<std::size_t>(std::max<std::int64_t>(row.integer(8), 0));
+    record.accepted_at = row.text(9);
+    record.finished_at = row.text(10);
+    return record;
+}
+
 }  // namespace
 
 Result<std::optional<UploadId>> Store::add_upload(const UploadedModel& upload,
@@ -183,18 +204,19 @@ Result<void> finish_upload(Store::Impl& impl, const UploadClaim& claim,
 Result<std::optional<UploadRecord>> Store::upload(UploadId id) {
     using Found = Result<std::optional<UploadRecord>>;
     return impl_->locked([&]() -> Found {
-        Query row(impl_->statement(
-            "SELECT state, claimant, model, code, message FROM uploads WHERE id = ?"));
+        Query row(impl_->statement(std::string(kSelectUploads) + "WHERE id = ?"));
         if (!row.bind(id).step()) return std::optional<UploadRecord>();
-        UploadRecord record;
-        record.id = id;
-        record.state = parse_state(row.text(0), row.text(1));
-        if (record.state == UploadState::kDone) record.model = row.integer(2);
-        if (record.state == UploadState::kFailed) {
-            record.code = row.text(3);
-            record.message = row.text(4);
-        }
-        return std::optional(std::move(record));
+        return std::optional(record_from(row));
+    });
+}
+
+Result<std::vector<UploadRecord>> Store::uploads(std::size_t most) {
+    return impl_->locked([&]() -> Result<std::vector<UploadRecord>> {
+        Query rows(impl_->statement(std::string(kSelectUploads) + "ORDER BY id DESC LIMIT ?"));
+        rows.bind(static_cast<std::int64_t>(most));
+        std::vector<UploadRecord> records;
+        while (rows.step()) records.push_back(record_from(rows));
+        return records;
     });
 }
 

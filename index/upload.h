@@ -40,6 +40,9 @@ struct UploadRecord {
     UploadState state = UploadState::kQueued;
     ModelId model = 0;          ///< once done; it may have been removed since
     std::string code, message;  ///< once failed: the stable name of an ErrorCode, and why
+    std::string name, class_name;
+    std::size_t size = 0;                  ///< bytes
+    std::string accepted_at, finished_at;  ///< ISO 8601, UTC; the second empty until it is
 };
 inline constexpr std::size_t kRememberedUploads = 1000;
 

@@ -36,6 +36,9 @@ const std::vector<Route>& routes() {
         {"GET", "/v1/evaluations/{ranker}.csv", evaluation_csv},
         {"GET", "/v1/evaluations/{ranker}.svg", evaluation_svg},
         {"GET", "/v1/evaluations/{ranker}", evaluation_json},
+        // However many searches run.
+        {"GET", "/v1/progress/{token}", get_progress, nullptr, Body::kNone, kEveryone, false, true},
+        {"GET", "/v1/jobs", list_jobs, nullptr, Body::kNone, kAdministrator},
         {"GET", "/v1/jobs/{id}", get_job},
         {"GET", "/v1/failures", list_failures, nullptr, Body::kNone, kAdministrator},
         {"GET", "/livez", live, nullptr, Body::kNone, kEveryone, false, true},

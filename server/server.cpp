@@ -61,7 +61,7 @@ struct Server::Parts {
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
           queries({.bytes = options.kept_queries_bytes}),
           service{options, log,   metrics, searcher, reader,  slots,   evaluations,
-                  queries, files, Key(),   Key(),    nullptr, nullptr, random_word()},
+                  queries, progress, files, Key(), Key(), nullptr, nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -75,6 +75,7 @@ struct Server::Parts {
     Slots slots;
     Evaluations evaluations;
     Queries queries;
+    Progress progress;
     Service service;
     IndexWatch watch;
     Application application;

@@ -12,6 +12,7 @@
 #include "server/log.h"
 #include "server/metrics.h"
 #include "server/options.h"
+#include "server/progress.h"
 #include "server/queries.h"
 #include "server/slots.h"
 #include "server/static_files.h"
@@ -29,6 +30,7 @@ struct Service {
     Slots& slots;  ///< for whatever keeps a processor busy
     Evaluations& evaluations;
     Queries& queries;
+    Progress& progress;
     const StaticFiles& files;
     Key admin_key;  ///< without one administration is off, then there are neither of the two below
     Key read_key;   ///< without one everybody may read

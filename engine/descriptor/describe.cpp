@@ -68,6 +68,8 @@ DescribeOptions with_body(const mesh::Body& body, const DescribeOptions& options
     result.skeletonize.voxelize.rotation = body.axes;
     result.skeletonize.voxelize.whole_mesh = true;
     result.skeletonize.canonical_pose = false;
+    // They are laid beside the first one, which tells how far it is.
+    result.skeletonize.on_stage = {};
     return result;
 }
 
@@ -97,15 +99,20 @@ FirstGrid look_at_first_grid(const mesh::TriangleMesh& mesh, mesh::Body body,
     if (!first.made) return first;
     const skeleton::Skeleton& skeleton = *first.made;
     first.stage_times = skeleton.stage_times;
+    const StageReport& on_stage = options.skeletonize.on_stage;
     Stopwatch watch;
+    if (on_stage) on_stage("surface");
     const MeasuredSolid solid(skeleton.solid.volume);
     first.stage_times.push_back({"surface", watch.lap_ms()});
     if (stop.stop_requested()) return first;
+    if (on_stage) on_stage("describe_skeleton");
     first.limbs = describe_limbs(skeleton, solid);
     first.stage_times.push_back({"describe_skeleton", watch.lap_ms()});
+    if (on_stage) on_stage("global_descriptors");
     first.globals = solid_descriptors(solid.surface, skeleton.solid.volume,
                                       skeleton.solid.world_from_grid, stop);
     first.solid_ms = watch.lap_ms();
+    if (on_stage) on_stage("turned_skeletons");
     return first;
 }
 
@@ -190,6 +197,7 @@ Result<Description> describe(const mesh::TriangleMesh& mesh, const DescribeOptio
     std::vector<matching::SkeletonDescriptor> skeletons = {std::move(first.limbs)};
     const Result<void> taken = take_turned(skeleton.solid.work, grids, skeletons);
     if (!taken) return taken.error();
+    if (options.skeletonize.on_stage) options.skeletonize.on_stage("global_descriptors");
     description.descriptor.globals = skeleton_descriptors(skeletons, stop);
     if (stop.stop_requested()) return cancelled();
     description.descriptor.globals.insert(description.descriptor.globals.end(),

@@ -44,10 +44,14 @@ Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, mesh::Body body,
                              const SkeletonizeOptions& options, std::stop_token stop) {
     Skeleton skeleton;
     Stopwatch watch;
+    const auto begin = [&](const char* stage) {
+        if (options.on_stage) options.on_stage(stage);
+    };
     const auto finished = [&](const char* stage) {
         skeleton.stage_times.push_back({stage, watch.lap_ms()});
     };
     if (stop.stop_requested()) return cancelled("voxelize");
+    begin("voxelize");
     skeleton.body = std::move(body);
     const mesh::TriangleMesh& mesh = skeleton.body.of(whole);
     voxel::VoxelizeOptions voxelize_options = options.voxelize;
@@ -61,15 +65,18 @@ Result<Skeleton> skeletonize(const mesh::TriangleMesh& whole, mesh::Body body,
     finished("voxelize");
 
     if (stop.stop_requested()) return cancelled("distance_transform");
+    begin("distance_transform");
     skeleton.distance = voxel::distance_transform(skeleton.solid.volume, stop);
     finished("distance_transform");
 
     if (stop.stop_requested()) return cancelled("thin");
+    begin("thin");
     skeleton.thinned_volume =
         thin(skeleton.solid.volume, skeleton.distance, options.thinning, stop);
     finished("thin");
 
     if (stop.stop_requested()) return cancelled("refine");
+    begin("refine");
     skeleton.thinned = extract_graph(skeleton.thinned_volume, skeleton.distance, stop);
     if (stop.stop_requested()) return cancelled("refine");
     std::vector<Vec3> surface;

@@ -3,6 +3,7 @@
 #include <stop_token>
 
 #include "engine/core/result.h"
+#include "engine/core/stage_report.h"
 #include "engine/core/stopwatch.h"
 #include "engine/mesh/body.h"
 #include "engine/mesh/triangle_mesh.h"
@@ -20,6 +21,7 @@ struct SkeletonizeOptions {
     voxel::VoxelizeOptions voxelize;
     ThinningOptions thinning;
     RefineOptions refine;
+    StageReport on_stage = {};
 };
 
 /// A model's skeleton at each stage of its making; graphs are in voxel units of `solid`'s grid.

@@ -21,6 +21,14 @@ nlohmann::json job_error(const index::UploadRecord& job) {
     return {{"code", job.code}, {"message", message}};
 }
 
+nlohmann::json job_json(const index::UploadRecord& job) {
+    nlohmann::json json = {
+        {"id", job.id}, {"state", to_string(job.state)}, {"model", nullptr}, {"error", nullptr}};
+    if (job.state == index::UploadState::kDone) json["model"] = job.model;
+    if (job.state == index::UploadState::kFailed) json["error"] = job_error(job);
+    return json;
+}
+
 /// @param axis x, y, z or auto
 Checked<index::Orientation> turn(Service& service, index::ModelId id, const std::string& axis) {
     std::optional<index::Up> up;
@@ -127,6 +135,31 @@ Checked<Response> remove_model(Service& service, const Request& request) {
     return response;
 }
 
+Checked<Response> list_jobs(Service& service, const Request& request) {
+    ParameterReader reader(request.head);
+    const auto limit = static_cast<std::size_t>(
+        reader.integer("limit", 1, index::kRememberedUploads).value_or(50));
+    if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
+    const auto jobs = service.searcher.store().uploads(limit);
+    if (!jobs) return fail(jobs.error());
+    auto list = nlohmann::json::array();
+    for (const index::UploadRecord& job : *jobs) {
+        const auto or_null = [](const std::string& text) {
+            return text.empty() ? nlohmann::json() : nlohmann::json(text);
+        };
+        nlohmann::json json = job_json(job);
+        json["name"] = job.name;
+        json["class"] = or_null(job.class_name);
+        json["size"] = job.size;
+        json["accepted_at"] = job.accepted_at;
+        json["finished_at"] = or_null(job.finished_at);
+        list.push_back(std::move(json));
+    }
+    Response response = json_answer({{"jobs", std::move(list)}});
+    response.set_header("Cache-Control", "no-store");
+    return response;
+}
+
 Checked<Response> get_job(Service& service, const Request& request) {
     const auto id = only_id(request, "job");
     if (!id) return tl::unexpected<Problem>(id.error());
@@ -136,14 +169,7 @@ Checked<Response> get_job(Service& service, const Request& request) {
     if (!*job) {
         return fail(RequestFault::kJobNotFound, "There is no job " + request.capture + ".");
     }
-    const index::UploadRecord& record = **job;
-    nlohmann::json json = {{"id", record.id},
-                           {"state", to_string(record.state)},
-                           {"model", nullptr},
-                           {"error", nullptr}};
-    if (record.state == index::UploadState::kDone) json["model"] = record.model;
-    if (record.state == index::UploadState::kFailed) json["error"] = job_error(record);
-    Response response = json_answer(json);
+    Response response = json_answer(job_json(**job));
     response.set_header("Cache-Control", "no-store");
     return response;
 }

@@ -33,6 +33,8 @@ Checked<Response> model_thumbnail(Service& service, const Request& request);
 Checked<Response> model_file(Service& service, const Request& request);
 Checked<Response> model_stl(Service& service, const Request& request);
 
+Checked<Response> get_progress(Service& service, const Request& request);
+
 Checked<Response> get_query(Service& service, const Request& request);
 Checked<Response> query_similar(Service& service, const Request& request);
 Checked<Response> query_mesh(Service& service, const Request& request);
@@ -51,6 +53,7 @@ Checked<Response> add_model(Service& service, const Request& request);
 Checked<Response> change_model(Service& service, const Request& request);
 Checked<Response> remove_model(Service& service, const Request& request);
 Checked<Response> list_failures(Service& service, const Request& request);
+Checked<Response> list_jobs(Service& service, const Request& request);
 Checked<Response> get_job(Service& service, const Request& request);
 
 Checked<Response> live(Service& service, const Request& request);

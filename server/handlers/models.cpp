@@ -5,6 +5,7 @@
 
 #include "index/catalogue.h"
 #include "index/content_hash.h"
+#include "index/number_ranges.h"
 #include "index/presentation.h"
 #include "server/etag.h"
 #include "server/handlers/handlers.h"
@@ -17,7 +18,8 @@ namespace {
 std::string filter_mark(const index::CatalogueFilter& filter) {
     constexpr std::size_t kDigits = 8;
     std::string text;
-    for (const auto& each : {filter.class_name, filter.folder, filter.kind}) {
+    for (const auto& each : {filter.class_name, filter.folder, filter.kind, filter.branches,
+                             filter.loops, filter.extent, filter.unit}) {
         text += each ? std::to_string(each->size()) + ' ' + *each : "-";
     }
     return index::content_hash(text + filter.name_contains).substr(0, kDigits);
@@ -47,6 +49,12 @@ index::CatalogueFilter read_filter(ParameterReader& reader) {
     filter.name_contains = reader.text("name").value_or("");
     filter.folder = reader.text("folder", 1024);
     filter.kind = reader.text("kind", 16);
+    filter.branches =
+        reader.choice("branches", {index::kBranchRanges.begin(), index::kBranchRanges.end()});
+    filter.loops = reader.choice("loops", {index::kLoopRanges.begin(), index::kLoopRanges.end()});
+    const auto extents = index::extent_ranges();
+    filter.extent = reader.choice("extent", {extents.begin(), extents.end()});
+    filter.unit = reader.text("unit", 32);
     return filter;
 }
 
@@ -146,17 +154,21 @@ Checked<Response> list_models(Service& service, const Request& request) {
 Checked<Response> list_facets(Service& service, const Request& request) {
     ParameterReader reader(request.head);
     const index::CatalogueFilter filter = read_filter(reader);
+    const bool with_loops = reader.choice("include", {"loops"}).has_value();
     if (auto fault = reader.finish()) return tl::unexpected<Problem>(*std::move(fault));
     const auto snapshot = service.searcher.snapshot();
     if (!snapshot) return fail(snapshot.error());
     const auto store = service.searcher.stores().lend();
     if (!store) return fail(store.error());
-    const auto facets = index::count_facets(**snapshot, **store, filter);
+    const auto facets = index::count_facets(**snapshot, **store, filter, with_loops);
     if (!facets) return fail(facets.error());
-    return conditional(request.head, json_answer({{"classes", values_json(facets->classes)},
-                                                  {"folders", values_json(facets->folders)},
-                                                  {"kinds", values_json(facets->kinds)},
-                                                  {"revision", (*snapshot)->revision()}}));
+    nlohmann::json json = {
+        {"classes", values_json(facets->classes)}, {"folders", values_json(facets->folders)},
+        {"kinds", values_json(facets->kinds)},     {"branches", values_json(facets->branches)},
+        {"extents", values_json(facets->extents)}, {"units", values_json(facets->units)},
+        {"revision", (*snapshot)->revision()}};
+    if (with_loops) json["loops"] = values_json(facets->loops);
+    return conditional(request.head, json_answer(json));
 }
 
 Checked<Response> get_model(Service& service, const Request& request) {

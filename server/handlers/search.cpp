@@ -16,6 +16,7 @@ struct SearchParameters {
     index::SearchOptions options;
     voxel::InsideOptions inside;
     bool with_mesh = false;
+    std::string progress;  ///< what is told of it goes under this token; empty: nothing
     std::optional<Problem> fault;
 };
 
@@ -26,6 +27,10 @@ SearchParameters read_search_parameters(const RequestHead& head) {
     parameters.inside = read_inside(reader);
     parameters.with_mesh = reader.choice("include", {"mesh"}).has_value();
     reader.text("name");
+    parameters.progress = reader.text("progress").value_or("");
+    if (!parameters.progress.empty() && !is_token(parameters.progress)) {
+        reader.refuse("progress", "`progress` is not 32 hexadecimal digits in small letters.");
+    }
     parameters.fault = reader.finish();
     return parameters;
 }
@@ -54,19 +59,23 @@ std::optional<Problem> check_search(const Service&, const RequestHead& head) {
 }
 
 Checked<Response> search(Service& service, const Request& request) {
-    const SearchParameters parameters = read_search_parameters(request.head);
+    SearchParameters parameters = read_search_parameters(request.head);
+    Progress::Report report(service.progress, parameters.progress);
+    const StageReport on_stage = [&report](std::string_view stage) { report.stage(stage); };
+    parameters.options.on_stage = on_stage;
     const auto upload = read_upload(request);
     if (!upload) return tl::unexpected<Problem>(upload.error());
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
 
     Stopwatch watch;
+    on_stage("read");
     voxel::ReadModelOptions reading{.inside = parameters.inside};
     reading.mesh.max_bytes = service.options.http.max_body;
     auto query = service.reader.read({upload->bytes, upload->name, {}}, reading, request.stop);
     if (!query) return fail(query.error());
     const double read_ms = watch.lap_ms();
-    auto described = service.searcher.describe(query->mesh, request.stop);
+    auto described = service.searcher.describe(query->mesh, request.stop, on_stage);
     if (!described) return fail(described.error());
     StageTimes stages = {{"read", read_ms}};
     stages.insert(stages.end(), described->stages_ms.begin(), described->stages_ms.end());

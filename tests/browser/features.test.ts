@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { afterEach, describe, expect, it } from 'vitest';
 
@@ -103,13 +104,35 @@ describe('who has the key', () => {
             .locator('.manage-form input[type=file]')
             .first()
             .setInputFiles(visits.collection.models.painted);
-        await page.getByRole('link', { name: 'is in the collection' }).click();
+        await page.locator('.added-models a', { hasText: 'is in the collection' }).click();
         await page.locator('.hit-card').first().waitFor();
         await page.locator('.card-check input').first().check();
         await page.getByRole('link', { name: 'Manage' }).click();
         await page.getByRole('button', { name: 'Remove them' }).click();
         await page.getByRole('button', { name: 'Undo' }).click();
         await page.getByText('Nothing was removed.').waitFor();
+        // Its job stands in the list from here and elsewhere, after a reload too.
+        await page.reload();
+        await page.locator('.jobs tbody tr', { hasText: 'painted' }).first().waitFor();
+    });
+
+    it('sees what somebody else adds, and why it fails', async () => {
+        const page = await visits.open('#/manage');
+        await page.locator('input[name=key]').fill(kAdminKey);
+        await page.keyboard.press('Enter');
+        await page.locator('.jobs').waitFor();
+        const added = await page.request.post(
+            `${visits.collection.origin}/v1/models?name=from-elsewhere&class=angle`,
+            {
+                headers: { Authorization: `Bearer ${kAdminKey}`, 'Content-Type': 'model/off' },
+                data: readFileSync(visits.collection.models.query),
+            },
+        );
+        expect(added.status()).toBe(202);
+        const row = page.locator('.jobs tbody tr', { hasText: 'from-elsewhere' });
+        await row.first().waitFor();
+        await row.getByRole('link', { name: 'is in the collection' }).first().waitFor();
+        expect(await row.first().textContent()).toContain('angle');
     });
 });
 

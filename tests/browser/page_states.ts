@@ -73,6 +73,14 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
                 await openOptions(page);
             },
         },
+        'the start page with filters by numbers': {
+            hash: '#/?branches=1-4',
+            reach: (page) =>
+                page
+                    .locator('.more-filters select[name=branches] option')
+                    .nth(1)
+                    .waitFor({ state: 'attached' }),
+        },
         'the start page while it loads': {
             hash: '#/',
             prepare: silent('**/v1/models*'),
@@ -124,6 +132,24 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
                 await seen('.progress')(page);
             },
         },
+        'an upload under way, with its stage': {
+            hash: '#/',
+            prepare: async (page) => {
+                await page.addInitScript(() => {
+                    // All of it is on its way, and no answer comes.
+                    XMLHttpRequest.prototype.send = function (this: XMLHttpRequest) {
+                        setTimeout(() => this.upload.dispatchEvent(new ProgressEvent('load')), 0);
+                    };
+                });
+                await page.route('**/v1/progress/*', (route) =>
+                    route.fulfill({ json: { stage: 'describe_skeleton' } }),
+                );
+            },
+            reach: async (page) => {
+                await upload(page, models.query, `${'W'.repeat(60)}.off`);
+                await page.locator('.progress-line', { hasText: 'step 7 of 12' }).waitFor();
+            },
+        },
         'hits of an upload with a long name': {
             hash: '#/',
             reach: async (page) => {
@@ -141,6 +167,10 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
             },
         },
         'hits of a model': { hash: `#/models/${kModels}`, reach: seen('.hit-card') },
+        'hits by their names': {
+            hash: `#/models/${kModels}?sort=name`,
+            reach: seen('.hit-order:not([hidden])'),
+        },
         'hits of a model with long names, options open': {
             hash: `#/models/${kModels}`,
             prepare: answerWithLongWords,
@@ -267,7 +297,34 @@ export function pageStates(models: WrittenModels): Readonly<Record<string, State
                     const chosen = { id: 1, name: '1', path: '1.off', class: null };
                     sessionStorage.setItem('ossuary.selection', JSON.stringify([chosen]));
                 }, kAdminKey),
-            reach: seen('.failures'),
+            reach: async (page) => {
+                await seen('.failures')(page);
+                await seen('.jobs .fine')(page);
+            },
+        },
+        'what was added, in the hands of who has the key': {
+            hash: '#/manage',
+            prepare: async (page) => {
+                await page.addInitScript((key) => {
+                    sessionStorage.setItem('ossuary.admin-key', key);
+                }, kAdminKey);
+                const error = { code: 'mesh_empty', message: `${'W'.repeat(60)} has no triangle` };
+                const job = {
+                    name: 'W'.repeat(60),
+                    class: 'W'.repeat(30),
+                    size: 1_234_567,
+                    accepted_at: '2026-05-01T12:00:00Z',
+                    finished_at: null,
+                };
+                const jobs = [
+                    { ...job, id: 4, state: 'queued', model: null, error: null },
+                    { ...job, id: 3, state: 'running', model: null, error: null },
+                    { ...job, id: 2, state: 'failed', model: null, error },
+                    { ...job, id: 1, state: 'done', model: 1, error: null },
+                ];
+                await page.route('**/v1/jobs?*', (route) => route.fulfill({ json: { jobs } }));
+            },
+            reach: seen('.jobs tbody tr:nth-child(4)'),
         },
         'the reports, query by query': {
             hash: '#/reports',

@@ -50,7 +50,37 @@ protected:
         model.summary.name = std::filesystem::path(path).stem().string();
         model.summary.class_name = class_name;
         model.summary.faces = faces;
-        ASSERT_TRUE(store->put(std::move(model)));
+        // Longest sides of 10, 20, 30 and 40 mm; those of the one inch file are 1016 mm.
+        model.summary.bounds = Box3(Vec3::Zero(), Vec3(1.0, static_cast<double>(faces), 2.0));
+        if (faces == 30) model.summary.frame.metres_per_unit = 0.0;
+        if (faces == 40) model.summary.frame.metres_per_unit = 0.0254;
+        bend(model, faces / 10 - 1);
+        const auto put = store->put(std::move(model));
+        ASSERT_TRUE(put) << put.error().message;
+    }
+    /// A skeleton of two pieces with so many loops.
+    static void bend(NewModel& model, std::uint32_t loops) {
+        model.skeleton = {};
+        model.skeleton.nodes.resize(3);
+        auto& coded = model.descriptor.skeleton;
+        coded.nodes.resize(2);
+        coded.nodes.push_back(coded.nodes.front());
+        coded.branches.clear();
+        const auto add_branch = [&](std::uint32_t a, std::uint32_t b) {
+            skeleton::SkeletonGraph::Branch branch;
+            branch.a = a;
+            branch.b = b;
+            branch.points = {Vec3::Zero(), Vec3::Ones()};
+            branch.radii = {0.1, 0.1};
+            model.skeleton.branches.push_back(std::move(branch));
+            coded.branches.push_back({a, b, "01", {0, 0, 0, 1, 1, 1}, {0.1F, 0.1F}, 1.0F});
+        };
+        add_branch(0, 1);
+        for (std::uint32_t i = 0; i < loops; ++i) {
+            add_branch(i % 2 == 0 ? 2 : 1, i % 2 == 0 ? 2 : 0);
+        }
+        skeleton::update_degrees(model.skeleton);
+        matching::derive_matching_data(coded);
     }
     std::vector<std::string> names(const CatalogueFilter& filter,
                                    CatalogueOrder order = CatalogueOrder::kId) {
@@ -85,6 +115,44 @@ TEST_F(CatalogueTest, ListsWhatPassesTheFilter) {
     EXPECT_EQ(names({.folder = "chair"}), (Names{}));
     EXPECT_EQ(names({.kind = "stl"}), (Names{"leg2", "top"}));
     EXPECT_EQ(names({.class_name = "chair", .name_contains = "2", .kind = "stl"}), (Names{"leg2"}));
+}
+
+TEST_F(CatalogueTest, ListsWhatHasItsNumbersInTheRange) {
+    EXPECT_EQ(names({.branches = "1-4"}), (Names{"leg10", "leg2", "Leg1", "top"}));
+    EXPECT_EQ(names({.branches = "5-8"}), (Names{}));
+    EXPECT_EQ(names({.loops = "0"}), (Names{"Leg1"}));
+    EXPECT_EQ(names({.loops = "3-4"}), (Names{"top"}));
+    EXPECT_EQ(names({.extent = "10-100mm"}), (Names{"leg2", "Leg1"}));
+    EXPECT_EQ(names({.extent = "1000-10000mm"}), (Names{"top"}));
+    EXPECT_EQ(names({.extent = "10-100"}), (Names{"leg10"}));
+    EXPECT_EQ(names({.unit = "mm"}), (Names{"leg2", "Leg1"}));
+    EXPECT_EQ(names({.unit = ""}), (Names{"leg10"}));
+    EXPECT_EQ(names({.loops = "5"}), (Names{})) << "no range";
+}
+
+TEST_F(CatalogueTest, CountsRangesAscending) {
+    const Facets all = *count_facets(*snapshot_, *store_, {});
+    EXPECT_EQ(all.branches, (std::vector<FacetValue>{{"1-4", 4}}));
+    EXPECT_EQ(all.loops, (std::vector<FacetValue>{{"0", 1}, {"1", 1}, {"2", 1}, {"3-4", 1}}));
+    EXPECT_TRUE(count_facets(*snapshot_, *store_, {}, false)->loops.empty());
+    EXPECT_EQ(all.extents,
+              (std::vector<FacetValue>{{"10-100mm", 2}, {"1000-10000mm", 1}, {"10-100", 1}}));
+    EXPECT_EQ(all.units, (std::vector<FacetValue>{{"", 1}, {"inch", 1}, {"mm", 2}}));
+    const Facets mm = *count_facets(*snapshot_, *store_, {.loops = "0", .unit = "mm"});
+    EXPECT_EQ(mm.units, (std::vector<FacetValue>{{"mm", 1}}));
+    EXPECT_EQ(mm.loops, (std::vector<FacetValue>{{"0", 1}, {"1", 1}}));
+    EXPECT_EQ(mm.extents, (std::vector<FacetValue>{{"10-100mm", 1}}));
+}
+
+TEST_F(CatalogueTest, CountsNoLoopsAgainThatHaveNotChanged) {
+    const auto before = *snapshot_->loops(*store_);
+    EXPECT_EQ(*before, (std::vector<std::uint32_t>{2, 1, 0, 3}));
+    EXPECT_EQ(*snapshot_->loops(*store_), before) << "the same ones";
+    auto writer = Store::open(file(), Access::kReadWrite);
+    const std::vector<Change> remove = {RemoveModel{2}};
+    ASSERT_TRUE(writer->apply(remove));
+    const auto after = *Snapshot::load(*store_, snapshot_.get());
+    EXPECT_EQ(**after->loops(*store_), (std::vector<std::uint32_t>{2, 0, 3}));
 }
 
 TEST_F(CatalogueTest, CountsEachFacetAsIfItWereNotChosen) {

@@ -304,6 +304,7 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
         (void)store->scan();
         (void)store->descriptors(std::vector<ModelId>{1, 2, 3, 4, 5, 6});
         (void)store->listed(1, 6);
+        (void)store->loops(1, 6);
         (void)store->evaluations();
         (void)store->features(0, 10);
         for (ModelId id = 1; id <= 6; ++id) {

@@ -187,6 +187,18 @@ TEST_F(SearcherTest, RefusesAPoseOutsideItsRange) {
     }
 }
 
+TEST_F(SearcherTest, TellsEachStageAsItBegins) {
+    Searcher searcher = open();
+    SearchOptions options;
+    std::vector<std::string> told;
+    options.on_stage = [&](std::string_view stage) { told.emplace_back(stage); };
+    ASSERT_TRUE(searcher.search(mesh("04_tree.off"), options));
+    EXPECT_EQ(told, (std::vector<std::string>{"voxelize", "distance_transform", "thin", "refine",
+                                              "surface", "describe_skeleton", "global_descriptors",
+                                              "turned_skeletons", "global_descriptors", "rank",
+                                              "explain"}));
+}
+
 TEST_F(SearcherTest, GivesUpWhenAsked) {
     Searcher searcher = open();
     std::stop_source stop;

@@ -110,6 +110,17 @@ TEST_F(Uploads, WaitInTheIndexUntilTheyAreModels) {
     EXPECT_EQ(failed->state, UploadState::kFailed);
     EXPECT_EQ(failed->code, "mesh_empty");
     EXPECT_EQ(failed->message, "it has no triangle");
+    const auto listed = *store.uploads(9);
+    ASSERT_EQ(listed.size(), 2U);
+    EXPECT_EQ(listed[0].id, 2) << "the newest first";
+    EXPECT_EQ(listed[0].code, "mesh_empty");
+    EXPECT_EQ(listed[0].name, "second");
+    EXPECT_EQ(listed[1].state, UploadState::kDone);
+    EXPECT_EQ(listed[1].class_name, "class");
+    EXPECT_EQ(listed[1].size, bytes.size());
+    EXPECT_FALSE(listed[1].accepted_at.empty());
+    EXPECT_FALSE(listed[1].finished_at.empty());
+    EXPECT_EQ(store.uploads(1)->size(), 1U);
     EXPECT_FALSE(*store.claim_upload(mark_));
     ASSERT_TRUE(store.put_statistics({{1.0}}, *store.revision()));
     test::expect_sound(store);

@@ -249,6 +249,7 @@ TEST_F(Application, TellsAdministratorsWhatCouldNotBeIndexed) {
     EXPECT_ANY_THROW(index_model(index_, "knot", "OFF\n3 1 0\n0 0 0\n"));
     const TestServer server(index_, with_key());
     EXPECT_EQ(server.code(get("/v1/failures"), 401), "admin_key_missing");
+    EXPECT_EQ(server.code(get("/v1/jobs"), 401), "admin_key_missing");
     const RawAnswer answer = server.ask(get("/v1/failures", bearer(kKey)));
     ASSERT_EQ(answer.status, 200) << answer.body;
     EXPECT_EQ(server.code(get("/v1/failures?limit=1", bearer(kKey)), 400), "parameter_unknown");

@@ -205,6 +205,8 @@ TEST_F(RunningContract, HoldsForEveryKindOfAnswer) {
     hold("get", "/v1/evaluations/{ranker}.csv", get("/v1/evaluations/hybrid.csv"), 200);
     hold("get", "/v1/evaluations/{ranker}.svg", get("/v1/evaluations/hybrid.svg"), 200);
     hold("get", "/v1/evaluations/{ranker}", get("/v1/evaluations/best"), 400);
+    hold("get", "/v1/progress/{token}", get("/v1/progress/" + token), 200);
+    hold("get", "/v1/jobs", get("/v1/jobs"), 403);
     hold("get", "/v1/jobs/{id}", get("/v1/jobs/1"), 404);
     hold("get", "/livez", get("/livez"), 200);
     hold("get", "/readyz", get("/readyz"), 200);
@@ -231,8 +233,9 @@ TEST_F(RunningContract, TakesExactlyTheParametersThatItNames) {
             if (resolved(each)["in"] == "query") names.insert(resolved(each)["name"]);
         }
         for (const char* name :
-             {"a", "b", "limit", "cursor", "ranker", "pose", "size", "class", "rerank", "part",
-              "include", "name", "fold", "sort", "offset", "folder", "kind", "detail", "v"}) {
+             {"a",      "b",      "limit",   "cursor",   "ranker", "pose",   "size",   "class",
+              "rerank", "part",   "include", "name",     "fold",   "sort",   "offset", "folder",
+              "kind",   "detail", "v",       "branches", "loops",  "extent", "unit"}) {
             // A space is a value that none takes but texts; what counts is whether it is unknown.
             const RawAnswer answer = server_.ask(get(address + "?" + name + "=+"));
             const bool unknown = answer.body.find("parameter_unknown") != std::string::npos;

@@ -161,12 +161,30 @@ TEST_F(Originals, AreListedInOrderAndByWhatTheyAre) {
     const nlohmann::json page = server.json(get("/v1/models?sort=name&limit=2"));
     EXPECT_TRUE(page["next_cursor"].is_null()) << "offsets lead on, no cursor";
     EXPECT_EQ(page["total"], 8);
-    const nlohmann::json facets = server.json(get("/v1/facets?name=tree"));
+    const nlohmann::json facets = server.json(get("/v1/facets?name=tree&include=loops"));
     EXPECT_EQ(facets["classes"], nlohmann::json::parse(R"([{"value":null,"models":1},
                                                  {"value":"tree","models":2}])"));
     EXPECT_EQ(facets["kinds"], nlohmann::json::parse(R"([{"value":"off","models":3}])"));
+    // Built in code: files that name no unit.
+    EXPECT_EQ(facets["units"], nlohmann::json::parse(R"([{"value":null,"models":3}])"));
+    EXPECT_EQ(facets["loops"], nlohmann::json::parse(R"([{"value":"0","models":3}])"));
+    EXPECT_FALSE(server.json(get("/v1/facets")).contains("loops"));
+    const nlohmann::json rings = server.json(get("/v1/facets?name=ring&include=loops"));
+    EXPECT_EQ(rings["loops"][0]["value"], "1");
+    for (const char* facet : {"branches", "loops", "extents"}) {
+        ASSERT_FALSE(facets[facet].empty()) << facet;
+        const std::string parameter = facet == std::string_view("extents") ? "extent" : facet;
+        for (const auto& [value, models] : facets[facet].items()) {
+            const std::string url =
+                "/v1/models?name=tree&" + parameter + "=" + models["value"].get<std::string>();
+            EXPECT_EQ(server.json(get(url))["total"], models["models"]) << url;
+        }
+    }
+    for (const char* bad : {"branches=5", "loops=x", "extent=1-2", "unit="}) {
+        EXPECT_EQ(server.code(get(std::string("/v1/facets?") + bad), 400), "parameter_invalid");
+    }
     const std::string cursor = server.json(get("/v1/models?limit=1"))["next_cursor"];
-    for (const char* with : {"&sort=name", "&offset=1", "&kind=off"}) {
+    for (const char* with : {"&sort=name", "&offset=1", "&kind=off", "&loops=0"}) {
         EXPECT_EQ(server.code(get("/v1/models?cursor=" + cursor + with), 400), "parameter_invalid");
     }
 }

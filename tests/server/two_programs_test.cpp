@@ -109,6 +109,23 @@ TEST_F(TwoPrograms, WriteByTurnsAndLoseNothing) {
             EXPECT_EQ(names(run({"models", "--json"}).json()["models"]), expected);
         }
     }
+    {
+        // Jobs are the index's, whichever server took them.
+        const TestServer other(index_, with_key());
+        const RawAnswer answer = other.ask(get("/v1/jobs?limit=500", bearer()));
+        ASSERT_EQ(answer.status, 200) << answer.body;
+        const auto listed = nlohmann::json::parse(answer.body)["jobs"];
+        ASSERT_EQ(listed.size(), 8u);
+        EXPECT_EQ(listed[0]["name"], "upper3") << "the newest first";
+        EXPECT_GT(listed[0]["size"], 0);
+        for (const auto& job : listed) {
+            EXPECT_EQ(job["state"], "done");
+            EXPECT_TRUE(job["error"].is_null());
+            EXPECT_TRUE(job["finished_at"].is_string());
+        }
+        EXPECT_EQ(nlohmann::json::parse(other.ask(get("/v1/jobs?limit=1", bearer())).body)["jobs"],
+                  nlohmann::json::array({listed[0]}));
+    }
     const auto verified = run({"verify"});
     EXPECT_EQ(verified.exit_status, 0) << verified.out;
     EXPECT_EQ(names(run({"models", "--json"}).json()["models"]), expected);

@@ -89,6 +89,7 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
 export function hit(rank: number, fields: Partial<Hit> = {}): Hit {
     return {
         rank,
+        placement: null,
         id: 100 + rank,
         name: `hit${rank}`,
         class: 'chair',
@@ -179,7 +180,16 @@ export function evaluation(fields: Partial<Evaluation> = {}): Evaluation {
     };
 }
 
-export const kNoFacets: Facets = { classes: [], folders: [], kinds: [], revision: 1 };
+export const kNoFacets: Facets = {
+    classes: [],
+    folders: [],
+    kinds: [],
+    branches: [],
+    loops: [],
+    extents: [],
+    units: [],
+    revision: 1,
+};
 
 /** A server that was not expected to be asked. */
 function refuse(): Promise<never> {
@@ -193,6 +203,7 @@ export function clientWith(methods: Partial<Client>): Client {
         compare: refuse,
         models: refuse,
         facets: async () => kNoFacets,
+        progress: async () => ({ stage: null }),
         model: refuse,
         mesh: refuse,
         skeleton: refuse,

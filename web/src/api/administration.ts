@@ -1,9 +1,10 @@
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
-import { sendForm, type SentForm } from './send_form';
-import type { FailureList, Job } from './types';
 import { kRoot } from './root';
+import { sendForm, type SentForm } from './send_form';
+import type { FailureList, Job, Jobs } from './types';
 
 export type IndexFailure = FailureList['failures'][number];
+export type ListedJob = Jobs['jobs'][number];
 
 /** What whoever has the administrator's key may do. Every failure but an abort is an ApiError. */
 export interface Administration {
@@ -17,6 +18,8 @@ export interface Administration {
         signal?: AbortSignal,
     ): Promise<number>;
     job(id: number, signal?: AbortSignal): Promise<Job>;
+    /** The last ones, the newest first, whoever added them. */
+    jobs(signal?: AbortSignal): Promise<ListedJob[]>;
     remove(model: number): Promise<void>;
     /** An empty name: no class. */
     classify(model: number, className: string): Promise<void>;
@@ -81,6 +84,10 @@ export function createAdministration(
             return Number(job.slice(job.lastIndexOf('/') + 1));
         },
         job: (id, signal) => request<Job>(`${kRoot}/v1/jobs/${id}`, signal ? { signal } : {}),
+        async jobs(signal) {
+            return (await request<Jobs>(`${kRoot}/v1/jobs?limit=100`, signal ? { signal } : {}))
+                .jobs;
+        },
         async remove(model) {
             await request(`${kRoot}/v1/models/${model}`, { method: 'DELETE' });
         },

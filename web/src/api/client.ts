@@ -7,6 +7,7 @@ import type {
     Evaluation,
     Facets,
     ModelPage,
+    Progress,
     QueryMetrics,
     Ranker,
     SearchResult,
@@ -40,9 +41,26 @@ export interface ModelFilter {
     folder: string;
     /** The ending of the model's file, in small letters. */
     kind: string;
+    /** Ranges of numbers, by the server's names for them: `5-8`. */
+    branches: string;
+    loops: string;
+    /** The longest side: `10-100mm`; `10-100` where the file names no unit. */
+    extent: string;
+    unit: string;
 }
 
-export const kAllModels: Readonly<ModelFilter> = { name: '', className: '', folder: '', kind: '' };
+export type NumberFilter = Pick<ModelFilter, 'branches' | 'loops' | 'extent' | 'unit'>;
+
+export const kAllModels: Readonly<ModelFilter> = {
+    name: '',
+    className: '',
+    folder: '',
+    kind: '',
+    branches: '',
+    loops: '',
+    extent: '',
+    unit: '',
+};
 
 /** A stretch of a list of models. */
 export interface Stretch {
@@ -62,7 +80,10 @@ export interface Client {
         signal?: AbortSignal,
         /** Told the share of the file that is on its way. */
         onSent?: (share: number) => void,
+        /** Under which its stage can be asked for: 32 random hexadecimal digits. */
+        progress?: string,
     ): Promise<SearchResult>;
+    progress(token: string, signal?: AbortSignal): Promise<Progress>;
     similar(
         model: HeldModel,
         parameters: SearchParameters,
@@ -76,7 +97,8 @@ export interface Client {
         signal?: AbortSignal,
     ): Promise<Comparison>;
     models(filter: ModelFilter, stretch: Stretch, signal?: AbortSignal): Promise<ModelPage>;
-    facets(filter: ModelFilter, signal?: AbortSignal): Promise<Facets>;
+    /** With loops, which a server of many models counts more slowly than all else. */
+    facets(filter: ModelFilter, signal?: AbortSignal, withLoops?: boolean): Promise<Facets>;
     model(id: number, signal?: AbortSignal): Promise<ModelSummary>;
     mesh(model: HeldModel, signal?: AbortSignal): Promise<PreviewMesh>;
     skeleton(model: HeldModel, signal?: AbortSignal): Promise<Skeleton>;
@@ -99,15 +121,26 @@ export function evaluationPath(ranker: Ranker, form: '' | '.csv' | '.svg' = ''):
     return `${kRoot}/v1/evaluations/${ranker}${form}`;
 }
 
+const kFilterNames = Object.keys(kAllModels) as (keyof ModelFilter)[];
+const sentAs = (name: keyof ModelFilter): string => (name === 'className' ? 'class' : name);
+
 /** Only what is asked for; the same names in the page's address and in the request. */
-export function encodeFilter({ name, className, folder, kind }: ModelFilter): URLSearchParams {
+export function encodeFilter(filter: ModelFilter): URLSearchParams {
     const query = new URLSearchParams();
-    for (const [key, value] of Object.entries({ name, class: className, folder, kind })) {
-        if (value !== '') {
-            query.set(key, value);
+    for (const name of kFilterNames) {
+        if (filter[name] !== '') {
+            query.set(sentAs(name), filter[name]);
         }
     }
     return query;
+}
+
+export function decodeFilter(query: URLSearchParams): ModelFilter {
+    const filter = { ...kAllModels };
+    for (const name of kFilterNames) {
+        filter[name] = query.get(sentAs(name)) ?? '';
+    }
+    return filter;
 }
 
 function encodeList(filter: ModelFilter, { sort, offset, limit }: Stretch): URLSearchParams {
@@ -178,9 +211,12 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
     }
 
     return {
-        async search(file, parameters, signal, onSent = () => {}) {
+        async search(file, parameters, signal, onSent = () => {}, progress) {
             const query = encodeSearch(parameters);
             query.set('include', 'mesh');
+            if (progress) {
+                query.set('progress', progress);
+            }
             const body = new FormData();
             body.append('model', file, file.name);
             const response = await sendFile({
@@ -192,6 +228,7 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
             });
             return answered<SearchResult>(response);
         },
+        progress: (token, signal) => get(`${kRoot}/v1/progress/${token}`, signal),
         similar(model, parameters, signal) {
             return get(`${pathOf(model)}/similar?${encodeSearch(parameters)}`, signal);
         },
@@ -200,7 +237,13 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
         },
         models: (filter, stretch, signal) =>
             get(`${kRoot}/v1/models?${encodeList(filter, stretch)}`, signal),
-        facets: (filter, signal) => get(`${kRoot}/v1/facets?${encodeFilter(filter)}`, signal),
+        facets(filter, signal, withLoops = false) {
+            const query = encodeFilter(filter);
+            if (withLoops) {
+                query.set('include', 'loops');
+            }
+            return get(`${kRoot}/v1/facets?${query}`, signal);
+        },
         model: (id, signal) => get(`${kRoot}/v1/models/${id}`, signal),
         mesh: (model, signal) => get(`${pathOf(model)}/mesh`, signal),
         skeleton: (model, signal) => get(`${pathOf(model)}/skeleton`, signal),

@@ -1,6 +1,9 @@
 import { kRankers } from './elements';
 import type { Ranker } from './types';
 
+export const kHitOrders = ['distance', 'name', 'faces', 'size'] as const;
+export type HitOrder = (typeof kHitOrders)[number];
+
 /** What a search may be asked for; the same names in the page's address and in the request. */
 export interface SearchParameters {
     ranker: Ranker;
@@ -20,6 +23,8 @@ export interface SearchParameters {
     folder: string;
     /** The ending of the model's file, in small letters; empty: any. */
     kind: string;
+    /** In which the page shows the hits; the server is not asked for it. */
+    order: HitOrder;
 }
 
 export const kSearchDefaults: Readonly<SearchParameters> = {
@@ -33,6 +38,7 @@ export const kSearchDefaults: Readonly<SearchParameters> = {
     className: '',
     folder: '',
     kind: '',
+    order: 'distance',
 };
 
 const kMostHits = 1000;
@@ -109,6 +115,9 @@ export function encodeSearchBriefly(parameters: SearchParameters): URLSearchPara
             query.delete(name);
         }
     }
+    if (parameters.order !== kSearchDefaults.order) {
+        query.set('sort', parameters.order);
+    }
     return query;
 }
 
@@ -126,5 +135,6 @@ export function decodeSearch(query: URLSearchParams): SearchParameters {
         className: query.get('class') ?? '',
         folder: query.get('folder') ?? '',
         kind: query.get('kind') ?? '',
+        order: kHitOrders.find((order) => order === query.get('sort')) ?? kSearchDefaults.order,
     };
 }

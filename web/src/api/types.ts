@@ -24,6 +24,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/progress/{token}": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * Which stage a search is in
+         * @description Answered at once however many searches run. A search whose client closes the connection is given up.
+         */
+        get: operations["getProgress"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/queries/{token}": {
         parameters: {
             query?: never;
@@ -186,9 +206,9 @@ export interface paths {
         };
         /**
          * What the models are like, with counts
-         * @description Classes, folders and kinds of files among the models that fit the filters; each list as if the filters did
-         *     not ask for just that, so that another value can be chosen. Of more than 1,000 values those of the most
-         *     models.
+         * @description Classes, folders, kinds and units of files, and ranges of numbers, among the models that fit the filters;
+         *     each list as if the filters did not ask for just that, so that another value can be chosen. Of more than
+         *     1,000 values those of the most models.
          */
         get: operations["listFacets"];
         put?: never;
@@ -567,6 +587,27 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/v1/jobs": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * What was added, whoever did it
+         * @description The last jobs, the newest first, also those that were accepted by other servers of this index or before this
+         *     one was started.
+         */
+        get: operations["listJobs"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/v1/jobs/{id}": {
         parameters: {
             query?: never;
@@ -766,6 +807,10 @@ export interface components {
             classes: components["schemas"]["FacetValues"];
             folders: components["schemas"]["FacetValues"];
             kinds: components["schemas"]["FacetValues"];
+            branches: components["schemas"]["FacetValues"];
+            loops?: components["schemas"]["FacetValues"];
+            extents: components["schemas"]["FacetValues"];
+            units: components["schemas"]["FacetValues"];
             revision: number;
         };
         Query: {
@@ -1074,6 +1119,25 @@ export interface components {
                 message: string;
             } | null;
         };
+        Jobs: {
+            jobs: (components["schemas"]["Job"] & {
+                name: string;
+                class: string | null;
+                /** @description Bytes of the file. */
+                size: number;
+                /** Format: date-time */
+                accepted_at: string;
+                /** Format: date-time */
+                finished_at: string | null;
+            })[];
+        };
+        Progress: {
+            /**
+             * @description `wait` until there is room for it; `read`; one of those that `stages_ms` of its answer has. Null where no
+             *     search runs under the token: not yet, or not any more.
+             */
+            stage: string | null;
+        };
         Health: {
             /** @constant */
             status: "ok";
@@ -1247,6 +1311,18 @@ export interface components {
         Folder: string;
         /** @description Only models of files with this ending, in small letters. */
         Kind: string;
+        /** @description Only models whose skeleton has so many branches, `5-8` from 5 up to and with 8. */
+        Branches: "0" | "1-4" | "5-8" | "9-16" | "17-32" | "33-64" | "65-128" | "129-";
+        /** @description Only models whose skeleton has so many independent loops. */
+        Loops: "0" | "1" | "2" | "3-4" | "5-8" | "9-16" | "17-";
+        /**
+         * @description Only models whose longest side is from the first number up to but without the second: `10-100mm` those whose
+         *     unit is known, `10-100` the others in the files' own numbers. The ranges are those of the facet `extents`:
+         *     tens from 0.001 to 1000000.
+         */
+        Extent: string;
+        /** @description Only models of files in this unit. */
+        Unit: string;
         /** @description The `token` of a search's answer. */
         QueryToken: components["schemas"]["Token"];
         /** @description `full` for the model at its own resolution instead of its preview's. */
@@ -1342,6 +1418,8 @@ export type QueryMetrics = components['schemas']['QueryMetrics'];
 export type FailureList = components['schemas']['FailureList'];
 export type Evaluation = components['schemas']['Evaluation'];
 export type Job = components['schemas']['Job'];
+export type Jobs = components['schemas']['Jobs'];
+export type Progress = components['schemas']['Progress'];
 export type Health = components['schemas']['Health'];
 export type Problem = components['schemas']['Problem'];
 export type ProblemCode = components['schemas']['ProblemCode'];
@@ -1366,6 +1444,10 @@ export type ParameterClass = components['parameters']['Class'];
 export type ParameterNameContains = components['parameters']['NameContains'];
 export type ParameterFolder = components['parameters']['Folder'];
 export type ParameterKind = components['parameters']['Kind'];
+export type ParameterBranches = components['parameters']['Branches'];
+export type ParameterLoops = components['parameters']['Loops'];
+export type ParameterExtent = components['parameters']['Extent'];
+export type ParameterUnit = components['parameters']['Unit'];
 export type ParameterQueryToken = components['parameters']['QueryToken'];
 export type ParameterDetail = components['parameters']['Detail'];
 export type ParameterName = components['parameters']['Name'];
@@ -1423,6 +1505,11 @@ export interface operations {
                 include?: "mesh";
                 /** @description What to call the query; the file name of the multipart field, else `upload`, when absent. */
                 name?: components["parameters"]["Name"];
+                /**
+                 * @description A random number of 128 bits that the client makes up: while the search runs, `/v1/progress/{token}` tells
+                 *     its stage under it.
+                 */
+                progress?: components["schemas"]["Token"];
             };
             header?: never;
             path?: never;
@@ -1448,6 +1535,31 @@ export interface operations {
             415: components["responses"]["UnsupportedMediaType"];
             422: components["responses"]["UnusableModel"];
             503: components["responses"]["Unavailable"];
+        };
+    };
+    getProgress: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /** @description What the search was given as `progress`. */
+                token: components["schemas"]["Token"];
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The stage. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Progress"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
         };
     };
     getQuery: {
@@ -1695,6 +1807,23 @@ export interface operations {
                 folder?: components["parameters"]["Folder"];
                 /** @description Only models of files with this ending, in small letters. */
                 kind?: components["parameters"]["Kind"];
+                /** @description Only models whose skeleton has so many branches, `5-8` from 5 up to and with 8. */
+                branches?: components["parameters"]["Branches"];
+                /** @description Only models whose skeleton has so many independent loops. */
+                loops?: components["parameters"]["Loops"];
+                /**
+                 * @description Only models whose longest side is from the first number up to but without the second: `10-100mm` those whose
+                 *     unit is known, `10-100` the others in the files' own numbers. The ranges are those of the facet `extents`:
+                 *     tens from 0.001 to 1000000.
+                 */
+                extent?: components["parameters"]["Extent"];
+                /** @description Only models of files in this unit. */
+                unit?: components["parameters"]["Unit"];
+                /**
+                 * @description `loops` adds those, which are read of every skeleton when they are first asked for: in collections of a
+                 *     hundred thousand models that takes longer than all else.
+                 */
+                include?: "loops";
             };
             header?: never;
             path?: never;
@@ -1743,6 +1872,18 @@ export interface operations {
                 folder?: components["parameters"]["Folder"];
                 /** @description Only models of files with this ending, in small letters. */
                 kind?: components["parameters"]["Kind"];
+                /** @description Only models whose skeleton has so many branches, `5-8` from 5 up to and with 8. */
+                branches?: components["parameters"]["Branches"];
+                /** @description Only models whose skeleton has so many independent loops. */
+                loops?: components["parameters"]["Loops"];
+                /**
+                 * @description Only models whose longest side is from the first number up to but without the second: `10-100mm` those whose
+                 *     unit is known, `10-100` the others in the files' own numbers. The ranges are those of the facet `extents`:
+                 *     tens from 0.001 to 1000000.
+                 */
+                extent?: components["parameters"]["Extent"];
+                /** @description Only models of files in this unit. */
+                unit?: components["parameters"]["Unit"];
             };
             header?: never;
             path?: never;
@@ -2355,6 +2496,33 @@ export interface operations {
             401: components["responses"]["Unauthorized"];
             403: components["responses"]["Forbidden"];
             503: components["responses"]["Unavailable"];
+        };
+    };
+    listJobs: {
+        parameters: {
+            query?: {
+                /** @description Jobs at most. */
+                limit?: number;
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The jobs. */
+            200: {
+                headers: {
+                    "X-Request-Id": components["headers"]["RequestId"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Jobs"];
+                };
+            };
+            400: components["responses"]["BadRequest"];
+            401: components["responses"]["Unauthorized"];
+            403: components["responses"]["Forbidden"];
         };
     };
     getJob: {

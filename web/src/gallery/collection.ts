@@ -63,7 +63,11 @@ class ModelCollection implements Collection {
         this.context_ = context;
         this.listing_ = { filter: route.filter, sort: route.sort };
         this.at_ = route.at;
-        this.fields_ = new CollectionFilters(this.listing_, (listing) => this.edit(listing));
+        this.fields_ = new CollectionFilters(
+            this.listing_,
+            (listing) => this.edit(listing),
+            () => void this.loadFacets(this.listing_.filter),
+        );
         this.grid_ = new VirtualGrid({
             label: say('Models of the collection'),
             card: (model) => modelCard(model, context.selection),
@@ -159,8 +163,12 @@ class ModelCollection implements Collection {
         this.facets_ = new AbortController();
         const { signal } = this.facets_;
         try {
-            const facets = await this.context_.client.facets(filter, signal);
-            if (!signal.aborted) {
+            // Loops come later, and only to who looks at them.
+            for (const withLoops of this.fields_.isOpen ? [false, true] : [false]) {
+                const facets = await this.context_.client.facets(filter, signal, withLoops);
+                if (signal.aborted) {
+                    return;
+                }
                 this.fields_.offer(facets);
             }
         } catch {

@@ -2,6 +2,7 @@ import { type ModelFilter, type ModelOrder, kModelOrders } from '../api/client';
 import type { Facets } from '../api/types';
 import { element } from '../page/element';
 import { facetField } from './facet_field';
+import { MoreFilters } from './more_filters';
 import { type Text, say } from '../words/say';
 
 export interface Listing {
@@ -55,10 +56,13 @@ export class CollectionFilters {
         { class: 'input', name: 'sort' },
         kModelOrders.map((order) => element('option', { value: order }, say(kOrderNames[order]))),
     );
+    private readonly more_: MoreFilters;
     private pause_: ReturnType<typeof setTimeout> | undefined;
     private facets_: Facets | null = null;
 
-    constructor(first: Listing, onEdit: (listing: Listing) => void) {
+    /** @param onOpen the filters by numbers are seen */
+    constructor(first: Listing, onEdit: (listing: Listing) => void, onOpen: () => void) {
+        this.more_ = new MoreFilters(() => onEdit(this.listing), onOpen);
         this.listing = first;
         this.name_.addEventListener('input', () => {
             clearTimeout(this.pause_);
@@ -85,7 +89,13 @@ export class CollectionFilters {
             this.folder_.node,
             this.kind_.node,
             labelled(say('Order'), this.sort_),
+            this.more_.node,
         );
+    }
+
+    /** Whether somebody looks at the filters by numbers. */
+    get isOpen(): boolean {
+        return this.more_.node.open;
     }
 
     get listing(): Listing {
@@ -95,6 +105,7 @@ export class CollectionFilters {
                 className: this.class_.select.value,
                 folder: this.folder_.select.value,
                 kind: this.kind_.select.value,
+                ...this.more_.values,
             },
             sort: kModelOrders.find((order) => order === this.sort_.value) ?? 'name',
         };
@@ -108,6 +119,7 @@ export class CollectionFilters {
         this.class_.show(this.facets_?.classes ?? [], filter.className);
         this.folder_.show(this.facets_?.folders ?? [], filter.folder);
         this.kind_.show(this.facets_?.kinds ?? [], filter.kind);
+        this.more_.show(this.facets_, filter);
         this.sort_.value = sort;
     }
 
@@ -118,6 +130,7 @@ export class CollectionFilters {
         this.class_.show(facets.classes, filter.className);
         this.folder_.show(facets.folders, filter.folder);
         this.kind_.show(facets.kinds, filter.kind);
+        this.more_.show(facets, filter);
         const some = (values: readonly unknown[], least: number, chosen: string): boolean =>
             values.length >= least || chosen !== '';
         this.class_.node.hidden = !some(

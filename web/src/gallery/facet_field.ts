@@ -10,15 +10,20 @@ export interface FacetField {
 }
 
 /** A value of many to filter by, each with how many models have it. */
-export function facetField(label: string, name: string, all: string): FacetField {
+export function facetField(
+    label: string,
+    name: string,
+    all: string,
+    nameOf: (value: string) => string = (value) => value,
+): FacetField {
     const select = element('select', { class: 'input', name });
     const option = (value: string, text: string): HTMLElement => element('option', { value }, text);
     const show = (values: FacetValues, chosen: string): void => {
         const options = values.flatMap(({ value, models }) =>
-            value === null ? [] : option(value, `${value} (${formatCount(models)})`),
+            value === null ? [] : option(value, `${nameOf(value)} (${formatCount(models)})`),
         );
         const known = chosen === '' || values.some(({ value }) => value === chosen);
-        replace(select, option('', all), known ? null : option(chosen, chosen), options);
+        replace(select, option('', all), known ? null : option(chosen, nameOf(chosen)), options);
         select.value = chosen;
     };
     show([], '');

@@ -3,17 +3,12 @@ import { element } from '../page/element';
 import type { HomeRoute } from '../page/routes';
 import { collection } from './collection';
 import { dropZone } from './drop_zone';
-import { searchForm } from './search_form';
+import { startOptions } from './start_options';
 import { say } from '../words/say';
 
 /** Where one starts: drop a model, or pick one of the collection. */
 export function homePage(route: HomeRoute, context: Context): Page {
-    const form = searchForm(context.facets, {
-        parameters: context.parameters,
-        onChange: (parameters) => {
-            context.parameters = parameters;
-        },
-    });
+    const options = startOptions(context);
     const models = collection(route, context);
     return {
         node: element(
@@ -33,12 +28,7 @@ export function homePage(route: HomeRoute, context: Context): Page {
                             'Each model is thinned to its skeleton. Two models are alike when their skeletons can be laid over each other, branch by branch.',
                         ),
                     ),
-                    element(
-                        'details',
-                        { class: 'options' },
-                        element('summary', {}, say('Search options')),
-                        form.node,
-                    ),
+                    options.node,
                 ),
                 element(
                     'div',
@@ -58,7 +48,7 @@ export function homePage(route: HomeRoute, context: Context): Page {
             return true;
         },
         dispose() {
-            form.dispose();
+            options.dispose();
             models.dispose();
         },
     };

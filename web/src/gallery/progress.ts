@@ -52,6 +52,7 @@ export function progress(options: Partial<ProgressOptions> = {}): Progress {
         ),
         stage(text, share) {
             said.textContent = text;
+            bar.setAttribute('aria-valuetext', text);
             bar.classList.toggle('progress-known', share !== null);
             if (share === null) {
                 bar.removeAttribute('aria-valuenow');

@@ -1,7 +1,7 @@
 import type { HeldModel } from '../api/client';
 import { kUsualUp, type QueryModel } from '../api/elements';
 import { ApiError } from '../api/problem';
-import type { SearchParameters } from '../api/search_parameters';
+import { kSearchDefaults, type SearchParameters } from '../api/search_parameters';
 import type { Hit, SearchResult } from '../api/types';
 import type { Answer, Context } from '../page/context';
 import { formatRoute, type Over, type Route, resultsOf } from '../page/routes';
@@ -12,6 +12,11 @@ export type ResultsRoute = Extract<Route, { page: 'results' }>;
 
 export function sameParameters(a: SearchParameters, b: SearchParameters): boolean {
     return (Object.keys(a) as (keyof SearchParameters)[]).every((name) => a[name] === b[name]);
+}
+
+/** Whether the server answers both alike, in whatever order the page shows it. */
+export function sameQuestion(a: SearchParameters, b: SearchParameters): boolean {
+    return sameParameters({ ...a, order: b.order }, b);
 }
 
 /** The results without what lies over them. */
@@ -56,7 +61,7 @@ async function askUpload(
     }
     const { answer } = upload;
     const result =
-        answer && sameParameters(answer.parameters, route.parameters)
+        answer && sameQuestion(answer.parameters, route.parameters)
             ? answer.result
             : await context.uploads.again(upload, route.parameters, signal);
     return result && answerOf(result);
@@ -84,7 +89,7 @@ async function askKept(
     signal: AbortSignal,
 ): Promise<Answer | null> {
     const upload = context.uploads.find(query.token);
-    if (upload?.answer && sameParameters(upload.answer.parameters, route.parameters)) {
+    if (upload?.answer && sameQuestion(upload.answer.parameters, route.parameters)) {
         return answerOf(upload.answer.result);
     }
     try {
@@ -109,7 +114,8 @@ export async function ask(
         // One address for all of them.
         return askUpload(context.uploads.unkept, route, context, signal);
     }
-    const address = formatRoute(under(route));
+    const { order } = kSearchDefaults;
+    const address = formatRoute(resultsOf(query, { ...parameters, order }));
     const known = context.answers.get(address);
     if (known) {
         return known;

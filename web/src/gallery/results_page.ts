@@ -1,16 +1,24 @@
 import '../styles/results.css';
 import '../styles/dialog.css';
 import { isAbort } from '../api/problem';
-import { nextLimit } from '../api/search_parameters';
+import { kSearchDefaults, nextLimit } from '../api/search_parameters';
 import type { Answer, Context, Page } from '../page/context';
 import { element, replace } from '../page/element';
 import { formatPlural } from '../page/format';
 import { emptyNotice, problemNotice } from '../page/problem_notice';
 import { formatRoute, kHome, type Route, resultsOf, sameQuery } from '../page/routes';
 import { hitGrid } from './hit_grid';
+import { inOrder, orderField } from './hit_order';
 import { OverHits } from './over_hits';
 import { QuerySide } from './query_side';
-import { ask, hrefOf, likeHit, type ResultsRoute, sameParameters } from './results_answer';
+import {
+    ask,
+    hrefOf,
+    likeHit,
+    type ResultsRoute,
+    sameParameters,
+    sameQuestion,
+} from './results_answer';
 import { saveResults } from './save_results';
 import { skeletonCards } from './thumbnail';
 import { timingLine } from './timing_line';
@@ -25,6 +33,10 @@ function goneNotice(): HTMLElement {
     );
 }
 
+function noHits(): HTMLElement {
+    return emptyNotice(say('No hits.'), say('No other model of the collection fits the options.'));
+}
+
 class ResultsPage implements Page {
     readonly node: HTMLElement;
     readonly title = say('Results');
@@ -36,7 +48,14 @@ class ResultsPage implements Page {
     private readonly timing_ = element('div', {});
     private readonly body_ = element('div', { class: 'results-body', 'aria-busy': 'true' });
     private route_: ResultsRoute;
+    /** In the server's order, and in that of the page. */
+    private found_: Answer | null = null;
     private answer_: Answer | null = null;
+    private shown_ = 0;
+    private readonly order_ = orderField((order) => {
+        const { query, parameters } = this.route_;
+        this.context_.replace(resultsOf(query, { ...parameters, order }));
+    });
     private running_ = new AbortController();
 
     constructor(route: ResultsRoute, context: Context) {
@@ -51,7 +70,13 @@ class ResultsPage implements Page {
             element(
                 'div',
                 { class: 'results-main' },
-                element('div', { class: 'results-head' }, this.head_, this.timing_),
+                element(
+                    'div',
+                    { class: 'results-head' },
+                    this.head_,
+                    this.order_.node,
+                    this.timing_,
+                ),
                 this.body_,
             ),
         );
@@ -69,6 +94,8 @@ class ResultsPage implements Page {
         if (asked) {
             this.entitle();
             this.over_.show(next, this.answer_);
+        } else if (this.found_ && sameQuestion(next.parameters, before)) {
+            void this.show(this.found_);
         } else {
             this.over_.close();
             void this.load(
@@ -89,6 +116,7 @@ class ResultsPage implements Page {
         this.running_.abort();
         this.running_ = new AbortController();
         const { signal } = this.running_;
+        this.found_ = null;
         this.answer_ = null;
         // What the next file is searched with; what was looked for among these hits is not.
         this.context_.parameters = {
@@ -97,6 +125,7 @@ class ResultsPage implements Page {
             folder: '',
             kind: '',
             part: false,
+            order: kSearchDefaults.order,
         };
         if (!more) {
             replace(this.body_, element('ul', { class: 'grid' }, skeletonCards(12)));
@@ -106,7 +135,7 @@ class ResultsPage implements Page {
             const found = await ask(this.route_, this.context_, signal);
             if (found) {
                 this.renew(found);
-                this.show(found);
+                await this.show(found, more ? this.shown_ : 0);
                 return;
             }
             this.head_.textContent = say('No query');
@@ -135,29 +164,33 @@ class ResultsPage implements Page {
         }
     }
 
-    private show(answer: Answer): void {
+    /** @param first so many hits are there before anything else happens */
+    private async show(found: Answer, first = 0): Promise<void> {
+        const { order } = this.route_.parameters;
+        const answer = inOrder(found, order);
+        this.found_ = found;
         this.answer_ = answer;
         const { query, hits } = answer.result;
+        this.order_.show(order, hits.length);
         replace(this.head_, say('Models like'), ' ', element('em', {}, query.name));
         replace(
             this.timing_,
             timingLine(answer.result),
             hits.length > 0 && saveResults(answer.result),
         );
-        replace(
-            this.body_,
+        const grid =
             hits.length > 0
                 ? hitGrid(answer.result, {
+                      order,
                       hrefOf: (hit) => hrefOf(this.route_, hit),
                       likeOf: (hit) => likeHit(this.route_, hit),
                       selection: this.context_.selection,
                       onMore: this.more(hits.length),
+                      first,
                   })
-                : emptyNotice(
-                      say('No hits.'),
-                      say('No other model of the collection fits the options.'),
-                  ),
-        );
+                : null;
+        this.shown_ = hits.length;
+        replace(this.body_, grid?.node ?? noHits());
         this.context_.announce(
             say('{hits} for {name}', {
                 hits: formatPlural(hits.length, 'hit', 'hits'),
@@ -167,6 +200,7 @@ class ResultsPage implements Page {
         this.side_.show(answer);
         this.entitle();
         this.over_.show(this.route_, answer);
+        await grid?.whole;
     }
 
     /** What shows more hits than are there; null where there are no more. */

@@ -147,6 +147,7 @@ export function searchForm(
         className: className.select.value,
         folder: folder.select.value,
         kind: kind.select.value,
+        order: parameters.order,
     });
     pose.addEventListener('input', () => {
         poseValue.textContent = Number(pose.value).toFixed(2);

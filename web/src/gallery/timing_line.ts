@@ -2,22 +2,7 @@ import type { SearchResult } from '../api/types';
 import { element } from '../page/element';
 import { formatDuration, formatName, formatPlural } from '../page/format';
 import { say, sayName } from '../words/say';
-
-/** As a model goes through them. */
-const kPipeline = [
-    'read',
-    'voxelize',
-    'distance_transform',
-    'thin',
-    'refine',
-    'surface',
-    'describe_skeleton',
-    'turned_skeletons',
-    'global_descriptors',
-    'signature',
-    'rank',
-    'explain',
-];
+import { kPipeline } from './pipeline';
 
 /** Stages that took any time, in the order of the pipeline; what is not of it comes last. */
 export function timedStages(stages: Readonly<Record<string, number>>): [string, number][] {

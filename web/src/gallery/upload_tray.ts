@@ -51,7 +51,7 @@ class Tray implements UploadTray {
     private readonly complaints_ = element('div', { class: 'upload-problems' });
     private readonly context_: Context;
     private readonly end_: () => void;
-    private bar_: { upload: Upload; progress: Progress } | null = null;
+    private bar_: { upload: Upload; progress: Progress; stop?: AbortController } | null = null;
     private readonly said_ = new Map<Upload, HTMLElement>();
 
     constructor(context: Context) {
@@ -73,7 +73,13 @@ class Tray implements UploadTray {
 
     dispose(): void {
         this.end_();
+        this.endBar();
+    }
+
+    private endBar(): void {
         this.bar_?.progress.dispose();
+        this.bar_?.stop?.abort();
+        this.bar_ = null;
     }
 
     private show(): void {
@@ -117,8 +123,7 @@ class Tray implements UploadTray {
         if (upload === (this.bar_?.upload ?? null)) {
             return;
         }
-        this.bar_?.progress.dispose();
-        this.bar_ = null;
+        this.endBar();
         if (upload) {
             const size = upload.size === null ? '' : ` (${formatBytes(upload.size)})`;
             const bar = progress({
@@ -143,6 +148,29 @@ class Tray implements UploadTray {
                 : `${say('Sending {name}', { name: upload.name })} (${Math.round(100 * share)} %)`,
             done ? null : share,
         );
+        if (done) {
+            void this.followStages(this.bar_);
+        }
+    }
+
+    private async followStages(bar: NonNullable<Tray['bar_']>): Promise<void> {
+        const { upload, progress: shown } = bar;
+        if (bar.stop || !upload.progress) {
+            return;
+        }
+        bar.stop = new AbortController();
+        const { signal } = bar.stop;
+        try {
+            const { followStages, nameOfStage } = await import('./search_stages');
+            await followStages(
+                this.context_.client,
+                upload.progress,
+                (stage) => shown.stage(`${upload.name}: ${nameOfStage(stage)}`, null),
+                signal,
+            );
+        } catch {
+            // Without that code the bar says less.
+        }
     }
 
     private fold(): void {

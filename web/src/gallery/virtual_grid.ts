@@ -14,6 +14,8 @@ export interface VirtualGridOptions {
 const kBeyond = 0.6;
 /** Below the page's head. */
 const kHead = 72;
+/** Cards that a frame has time for; the others follow in the next ones. */
+const kAtOnce = 12;
 /** Who scrolls fast does not want what lies on the way. */
 const kPauseMs = 60;
 
@@ -128,14 +130,34 @@ export class VirtualGrid {
                 this.cards_.delete(index);
             }
         }
-        for (let index = first; index < end; index++) {
-            this.place(index);
-        }
+        this.fill(first, end);
         this.fetch(first, end);
         const seen = this.between(0).first;
         if (seen !== this.first_) {
             this.first_ = seen;
             this.options_.onMove(seen);
+        }
+    }
+
+    /** Those in sight before those around them. */
+    private fill(first: number, end: number): void {
+        const seen = this.between(0);
+        const [top, bottom] = [Math.max(first, seen.first), Math.min(end, seen.end)];
+        let made = 0;
+        const fill = (from: number, to: number): void => {
+            for (let index = from; index < to && made < kAtOnce; index++) {
+                made += this.place(index) ? 1 : 0;
+            }
+        };
+        fill(top, bottom);
+        fill(first, end);
+        if (made === kAtOnce) {
+            // What is on its way, or has failed, is not asked for again by that.
+            cancelAnimationFrame(this.frame_);
+            this.frame_ = requestAnimationFrame(() => {
+                const sight = this.sight;
+                this.fill(sight.first, sight.end);
+            });
         }
     }
 
@@ -148,11 +170,12 @@ export class VirtualGrid {
         }
     }
 
-    private place(index: number): void {
+    /** Whether it was not there, or has changed. */
+    private place(index: number): boolean {
         const model = this.pages_?.at(index);
         const there = this.cards_.get(index);
         if (there && (there.model === model || !model)) {
-            return;
+            return false;
         }
         const node = model ? this.options_.card(model) : emptyCard();
         node.setAttribute('aria-setsize', String(this.pages_?.total ?? 0));
@@ -168,6 +191,7 @@ export class VirtualGrid {
             this.node.insertBefore(node, next?.node ?? null);
         }
         this.cards_.set(index, { node, model });
+        return true;
     }
 
     private fetch(first: number, end: number): void {

@@ -1,25 +1,11 @@
 import type { Administration } from '../api/administration';
 import { ApiError, isAbort } from '../api/problem';
-import { adviceFor } from '../page/advice';
 import { element, replace } from '../page/element';
 import { problemNotice } from '../page/problem_notice';
-import { formatRoute, resultsOf } from '../page/routes';
-import { say, type Text } from '../words/say';
+import { say } from '../words/say';
+import { type JobState, jobStateLine } from './job_state';
 
 const kPollMs = 500;
-
-type State =
-    | { kind: 'sending'; share: number }
-    | { kind: 'queued' | 'running' }
-    | { kind: 'done'; model: number }
-    | { kind: 'failed'; code: string; message: string };
-
-const kWords: Record<'queued' | 'running' | 'done' | 'failed', Text> = {
-    queued: 'waits to be indexed',
-    running: 'is being indexed',
-    done: 'is in the collection',
-    failed: 'could not be indexed',
-};
 
 function pause(signal: AbortSignal): Promise<void> {
     return new Promise((resolve) => {
@@ -29,30 +15,6 @@ function pause(signal: AbortSignal): Promise<void> {
             resolve();
         });
     });
-}
-
-function stateLine(state: State): (Node | string)[] {
-    switch (state.kind) {
-        case 'sending':
-            return [
-                `${Math.round(100 * state.share)} %`,
-                element('progress', { max: 1, value: state.share, 'aria-label': say('Sending') }),
-            ];
-        case 'done': {
-            const href = formatRoute(resultsOf({ kind: 'model', id: state.model }));
-            return [element('a', { href }, say(kWords.done))];
-        }
-        case 'failed':
-            return [
-                say(kWords.failed),
-                ' ',
-                element('code', {}, state.code),
-                element('p', { class: 'fine' }, state.message),
-                element('p', { class: 'fine' }, say(adviceFor(state.code))),
-            ];
-        default:
-            return [say(kWords[state.kind])];
-    }
 }
 
 /** Files on their way into the collection, one after the other, with their jobs. */
@@ -83,7 +45,7 @@ export class AddedModels {
 
     private async send(file: File, className: string, line: HTMLElement): Promise<void> {
         const { signal } = this.running_;
-        const show = (state: State): void => replace(line, stateLine(state));
+        const show = (state: JobState): void => replace(line, jobStateLine(state));
         try {
             const onSent = (share: number): void => show({ kind: 'sending', share });
             const job = await this.administration_().add(file, className, onSent, signal);
@@ -93,7 +55,7 @@ export class AddedModels {
         }
     }
 
-    private async follow(id: number, show: (state: State) => void): Promise<void> {
+    private async follow(id: number, show: (state: JobState) => void): Promise<void> {
         const { signal } = this.running_;
         while (!signal.aborted) {
             try {
@@ -127,7 +89,10 @@ export class AddedModels {
             return;
         }
         if (error instanceof ApiError) {
-            replace(line, stateLine({ kind: 'failed', code: error.code, message: error.message }));
+            replace(
+                line,
+                jobStateLine({ kind: 'failed', code: error.code, message: error.message }),
+            );
         } else {
             replace(line, problemNotice(error));
         }

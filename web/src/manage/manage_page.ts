@@ -10,6 +10,7 @@ import { formatRoute, kHome } from '../page/routes';
 import { say } from '../words/say';
 import { AddedModels } from './added_models';
 import { failureTable } from './failure_table';
+import { JobList } from './job_list';
 import { PendingRemoval } from './pending_removal';
 
 function panel(id: string, title: string, ...content: (Node | false | null)[]): HTMLElement {
@@ -34,6 +35,7 @@ class ManagePage implements Page {
     private readonly pending_ = element('div', { class: 'manage-pending', 'aria-live': 'polite' });
     private readonly classes_ = element('datalist', { id: 'manage-classes' });
     private readonly added_: AddedModels;
+    private readonly jobs_ = new JobList(() => this.administration_);
     private readonly unsubscribe_: (() => void)[] = [];
     private administration_: Administration;
     private tick_: ReturnType<typeof setInterval> | undefined;
@@ -44,7 +46,10 @@ class ManagePage implements Page {
         this.administration_ = make(adminKey());
         this.added_ = new AddedModels(
             () => this.administration_,
-            () => context.answers.clear(),
+            () => {
+                context.answers.clear();
+                void this.jobs_.look();
+            },
         );
         replace(
             this.node,
@@ -69,6 +74,7 @@ class ManagePage implements Page {
     dispose(): void {
         this.running_.abort();
         this.added_.dispose();
+        this.jobs_.dispose();
         clearInterval(this.tick_);
         for (const end of this.unsubscribe_) {
             end();
@@ -85,6 +91,7 @@ class ManagePage implements Page {
             const failures = await this.administration_.failures(this.running_.signal);
             this.show();
             replace(this.failures_, failureTable(failures));
+            void this.jobs_.look();
         } catch (error) {
             if (isAbort(error)) {
                 return;
@@ -148,6 +155,7 @@ class ManagePage implements Page {
             this.body_,
             this.classes_,
             panel('add-title', say('Add models'), this.addForm(), this.added_.node),
+            panel('jobs-title', say('What was added'), this.jobs_.node),
             panel('chosen-title', say('Sort or remove'), this.chosen_),
             panel('failures-title', say('Files that could not be indexed'), this.failures_),
             element(

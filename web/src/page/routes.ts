@@ -1,4 +1,5 @@
 import {
+    decodeFilter,
     encodeFilter,
     type HeldModel,
     kAllModels,
@@ -15,7 +16,7 @@ import {
 
 /**
  * What the page shows, as its address after `#` says it:
- * `#/?name&class&folder&kind&sort&at` · `#/models/7` · `#/models/7/parts?posed` · `#/models/7/look` ·
+ * `#/?name&class&folder&kind&branches&loops&extent&unit&sort&at` · `#/models/7` · `#/models/7/parts?posed` · `#/models/7/look` ·
  * `#/models/7/hits/12` ·
  * `#/q/TOKEN` and `#/search` likewise · `#/reports` · `#/manage`.
  */
@@ -77,17 +78,11 @@ function parseSource([kind, name = '']: string[]): QuerySource | null {
 }
 
 function parseHome(query: URLSearchParams): HomeRoute {
-    const text = (name: string): string => query.get(name) ?? '';
     return {
         page: 'home',
-        filter: {
-            name: text('name'),
-            className: text('class'),
-            folder: text('folder'),
-            kind: text('kind'),
-        },
+        filter: decodeFilter(query),
         sort: kModelOrders.find((order) => order === query.get('sort')) ?? kHome.sort,
-        at: parseId(text('at')) ?? 0,
+        at: parseId(query.get('at') ?? '') ?? 0,
     };
 }
 

@@ -13,6 +13,8 @@ export interface Upload {
     state: UploadState;
     /** The share of it that is on its way to the server. */
     sent?: number;
+    /** Under which the server tells its stage. */
+    progress?: string;
     /** Where the server keeps it; null where it does not. */
     token: string | null;
     /** What the server said first. */
@@ -39,6 +41,11 @@ async function copyOf(file: File): Promise<File> {
     } catch {
         throw localFileFault(file.name);
     }
+}
+
+function newToken(): string {
+    const bytes = [...crypto.getRandomValues(new Uint8Array(16))];
+    return bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 function stored(): Upload[] {
@@ -160,6 +167,7 @@ export class Uploads {
         signal: AbortSignal,
     ): Promise<void> {
         upload.state = 'running';
+        upload.progress = newToken();
         this.changed();
         try {
             const copy = await copyOf(file);
@@ -167,10 +175,16 @@ export class Uploads {
             this.keep(
                 upload,
                 parameters,
-                await this.client_.search(copy, parameters, signal, (share) => {
-                    upload.sent = share;
-                    this.onSent(upload);
-                }),
+                await this.client_.search(
+                    copy,
+                    parameters,
+                    signal,
+                    (share) => {
+                        upload.sent = share;
+                        this.onSent(upload);
+                    },
+                    upload.progress,
+                ),
             );
             if (!together.shown) {
                 together.shown = true;

@@ -107,15 +107,21 @@ export interface Alignment {
  * Lets each point find its nearest, and the whole follow them, over and over (Besl and McKay, "A method for
  * registration of 3-D shapes", PAMI 1992). The size stays: a point is what is nearest to everything.
  */
-function refine(points: readonly Vector3[], start: Matrix4, target: SurfaceDistance): Alignment {
+function* refine(
+    points: readonly Vector3[],
+    start: Matrix4,
+    target: SurfaceDistance,
+): Generator<void, Alignment> {
     let best: Alignment = { matrix: start, meanDistance: meanDistance(points, start, target) };
     for (let step = 0; step < kSteps; step++) {
+        yield;
         const from = points.map((point) => point.clone().applyMatrix4(best.matrix));
         const to = from.map((point) => {
             const nearest = new Vector3();
             target.to(point, nearest);
             return nearest;
         });
+        yield;
         const matrix = fitSimilarity({ from, to }, false).multiply(best.matrix);
         const distance = meanDistance(points, matrix, target);
         if (!(distance < best.meanDistance * 0.999)) {
@@ -127,18 +133,19 @@ function refine(points: readonly Vector3[], start: Matrix4, target: SurfaceDista
 }
 
 /**
- * Lays one surface over another, up to place, rotation and size. Of the ways that matched nodes of their
+ * Lays one surface over another, a step at a time, up to place, rotation and size. Of the ways that matched nodes of their
  * skeletons, their principal axes and the rotations `upright` suggest the one that comes nearest is refined.
  * Unlike things lie nearest to each other in odd ways: one that is neither upright nor what the nodes say has
  * to be much nearer.
  */
-export function align(
+export function* alignment(
     first: Corners,
     second: Corners,
     matched: Correspondence,
     upright: readonly Quaternion[] = [],
-): Alignment {
+): Generator<void, Alignment> {
     const target = new SurfaceDistance(first);
+    yield;
     const [here, there] = [samplePoints(second, kSamples), samplePoints(first, kSamples)];
     const [a, b] = [middleOf(here), middleOf(there)];
     const spread = spreadOf(here, a);
@@ -162,23 +169,18 @@ export function align(
     }
     // A part that lies well within the other is near to it, but does not cover it: both ways count.
     const source = new SurfaceDistance(second);
-    const judged = starts
-        .map(({ matrix, weight }) => ({
-            matrix,
-            cost:
-                weight *
-                (meanDistance(
-                    here.filter((_, at) => at % 8 === 0),
-                    matrix,
-                    target,
-                ) +
-                    meanDistance(
-                        there.filter((_, at) => at % 8 === 0),
-                        matrix.clone().invert(),
-                        source,
-                    ) *
-                        matrix.getMaxScaleOnAxis()),
-        }))
-        .sort((x, y) => x.cost - y.cost);
-    return refine(here, judged[0]?.matrix ?? new Matrix4(), target);
+    const few = (points: Vector3[]): Vector3[] => points.filter((_, at) => at % 8 === 0);
+    let best = { matrix: new Matrix4(), cost: Number.POSITIVE_INFINITY };
+    for (const { matrix, weight } of starts) {
+        yield;
+        const cost =
+            weight *
+            (meanDistance(few(here), matrix, target) +
+                meanDistance(few(there), matrix.clone().invert(), source) *
+                    matrix.getMaxScaleOnAxis());
+        if (cost < best.cost) {
+            best = { matrix, cost };
+        }
+    }
+    return yield* refine(here, best.matrix, target);
 }

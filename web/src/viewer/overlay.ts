@@ -13,13 +13,14 @@ import type { UpAxis } from '../api/elements';
 import type { Match } from '../api/types';
 import { element } from '../page/element';
 import { say } from '../words/say';
-import { align } from './alignment';
+import { alignment } from './alignment';
 import { oklch } from './branch_colors';
 import { disposeBelow } from './dispose';
 import { ModelScene } from './model_scene';
 import type { OrbitSource } from './orbit_input';
 import { Picture } from './picture';
 import type { View, ViewedModel } from './query_view';
+import { inSlices } from './slices';
 import { SurfaceDistance } from './surface_distance';
 import { onThemeChange, readViewerTheme } from './theme';
 import { toggle } from './toggle';
@@ -35,6 +36,7 @@ export interface OverlayInput {
 /** Shares of the query's radius from which on a distance has the last colour. */
 export const kFarShare = 0.15;
 const kShades = 6;
+const kFineShades = 128;
 
 /** From near, blue and dark, to far, yellow and light: told apart without hues, too. */
 export function distanceColor(share: number): string {
@@ -52,12 +54,16 @@ export interface Overlaid {
     most: number;
 }
 
-export function layOver(
+/** Corners between two looks at the clock. */
+const kStep = 60;
+
+/** A step at a time: it takes some tenths of a second. */
+export function* layingOver(
     query: ModelScene,
     hit: ModelScene,
     match: Match,
     upright: readonly Quaternion[] = [],
-): Overlaid {
+): Generator<void, Overlaid> {
     const pairs = match.nodes.flatMap(({ a, b }) => {
         const [to, from] = [query.nodePosition(a), hit.nodePosition(b)];
         return to && from ? [{ from, to }] : [];
@@ -65,13 +71,16 @@ export function layOver(
     const first = query.corners;
     const corners = hit.corners;
     const matched = { from: pairs.map(({ from }) => from), to: pairs.map(({ to }) => to) };
-    const { matrix } = align(first, corners, matched, upright);
+    const { matrix } = yield* alignment(first, corners, matched, upright);
     const target = new SurfaceDistance(first);
     const distances = new Float32Array(corners.length / 3);
     // Corners of neighbouring triangles lie at the same place.
     const known = new Map<string, number>();
     const point = new Vector3();
     for (let at = 0; at < distances.length; at++) {
+        if (at % kStep === 0) {
+            yield;
+        }
         point
             .fromArray(corners, 3 * at)
             .applyMatrix4(matrix)
@@ -110,9 +119,13 @@ export function uprightTurns(query: UpAxis, hit: UpAxis): Quaternion[] {
 function coloredMesh({ corners, distances }: Overlaid): Mesh {
     const geometry = new BufferGeometry();
     const colors = new Float32Array(corners.length);
-    const color = new Color();
+    // Each shade is made once, and there are more than eyes can tell apart.
+    const shades = Array.from({ length: kFineShades + 1 }, (_, at) =>
+        new Color(distanceColor((kFarShare * at) / kFineShades)).toArray(),
+    );
     for (const [at, distance] of distances.entries()) {
-        color.set(distanceColor(distance)).toArray(colors, 3 * at);
+        const shade = Math.min(kFineShades, Math.round((kFineShades * distance) / kFarShare));
+        colors.set(shades[shade] ?? [], 3 * at);
     }
     geometry.setAttribute('position', new BufferAttribute(corners, 3));
     geometry.setAttribute('color', new BufferAttribute(colors, 3));
@@ -157,8 +170,26 @@ function legend({ mean, most }: Overlaid): HTMLElement {
 
 const kEmpty = { unit: 'model', nodes: [], branches: [] } as const;
 
+/** Lays the hit over the query. */
+function* layingHitOver({ query, hit, match }: OverlayInput): Generator<void, Overlaid> {
+    const theme = readViewerTheme();
+    const scenes: ModelScene[] = [];
+    try {
+        for (const model of [query, hit]) {
+            scenes.push(new ModelScene({ ...model, branchColors: new Map() }, theme));
+            yield;
+        }
+        const [first, second] = scenes as [ModelScene, ModelScene];
+        return yield* layingOver(first, second, match, uprightTurns(query.up, hit.up));
+    } finally {
+        for (const scene of scenes) {
+            scene.dispose();
+        }
+    }
+}
+
 /** The hit laid over the query, coloured by how far it is from it. */
-export function overlay({ query, hit, match, orbit }: OverlayInput): View {
+function overlay({ query, hit, orbit }: OverlayInput, overlaid: Overlaid): View {
     const picture = new Picture({
         label: say('{hit} laid over {query}', { hit: hit.name, query: query.name }),
         orbit,
@@ -166,12 +197,6 @@ export function overlay({ query, hit, match, orbit }: OverlayInput): View {
         beforeDraw: () => {},
     });
     const theme = readViewerTheme();
-    const scene = (model: ViewedModel): ModelScene =>
-        new ModelScene({ ...model, branchColors: new Map() }, theme);
-    const [queryScene, hitScene] = [scene(query), scene(hit)];
-    const overlaid = layOver(queryScene, hitScene, match, uprightTurns(query.up, hit.up));
-    queryScene.dispose();
-    hitScene.dispose();
     const ghost = new ModelScene(
         {
             mesh: query.mesh,
@@ -222,6 +247,7 @@ export class OverlaySwitch {
     private readonly input_: OverlayInput;
     private readonly sides_: HTMLElement;
     private view_: View | null = null;
+    private waiting_: HTMLElement | null = null;
     private disposed_ = false;
 
     /** @param sides what the overlay takes the place of */
@@ -242,6 +268,7 @@ export class OverlaySwitch {
             return;
         }
         this.sides_.classList.toggle('sides-covered', on);
+        this.waiting_?.remove();
         if (!on) {
             this.view_?.dispose();
             this.view_?.node.remove();
@@ -254,11 +281,14 @@ export class OverlaySwitch {
             say('Laying one over the other…'),
         );
         this.sides_.after(waiting);
+        // Whoever switched it off and on again has another one on the way.
+        const isWanted = (): boolean => !this.disposed_ && waiting.isConnected;
+        this.waiting_ = waiting;
         await nextFrame();
-        waiting.remove();
-        if (!this.disposed_ && this.sides_.classList.contains('sides-covered')) {
-            this.view_ = overlay(this.input_);
-            this.sides_.after(this.view_.node);
+        const overlaid = await inSlices(layingHitOver(this.input_), isWanted);
+        if (overlaid && isWanted()) {
+            this.view_ = overlay(this.input_, overlaid);
+            waiting.replaceWith(this.view_.node);
         }
     }
 }

@@ -47,7 +47,14 @@ describe('the client', () => {
         await client.models(kAllModels, stretch);
         expect(asked(fetch).path.search).toBe('?sort=name&offset=60&limit=30');
         fetch.mockClear();
-        const filter = { name: 'a b', className: 'c&d', folder: 'x/y', kind: 'stl' };
+        const filter = {
+            ...kAllModels,
+            name: 'a b',
+            className: 'c&d',
+            folder: 'x/y',
+            kind: 'stl',
+            loops: '3-4',
+        };
         await client.models(filter, stretch);
         const { path } = asked(fetch);
         expect(path.origin).toBe('http://other');
@@ -55,6 +62,8 @@ describe('the client', () => {
         expect(path.searchParams.get('class')).toBe('c&d');
         expect(path.searchParams.get('folder')).toBe('x/y');
         expect(path.searchParams.get('kind')).toBe('stl');
+        expect(path.searchParams.get('loops')).toBe('3-4');
+        expect(path.searchParams.has('unit')).toBe(false);
     });
 
     it('fetches a rig as it is, and reads the problem where there is none', async () => {

@@ -5,6 +5,7 @@ import {
     decodeSearch,
     encodeSearch,
     encodeSearchBriefly,
+    kHitOrders,
     kLimits,
     kSearchDefaults,
     type SearchParameters,
@@ -18,7 +19,8 @@ function* variants(): Generator<SearchParameters> {
                     const size = rerank ? 1 : 0;
                     const rest = { part: !rerank, fold: pose < 0.5, limit: 48, className };
                     const where = { folder: className, kind: rerank ? 'stl' : '' };
-                    yield { ranker, pose, size, rerank, ...rest, ...where };
+                    const order = kHitOrders[pose < 0.5 ? 0 : 2] ?? 'distance';
+                    yield { ranker, pose, size, rerank, ...rest, ...where, order };
                 }
             }
         }
@@ -28,10 +30,13 @@ function* variants(): Generator<SearchParameters> {
 describe('search parameters', () => {
     it('survive being encoded, in full and briefly', () => {
         for (const parameters of variants()) {
-            for (const encode of [encodeSearch, encodeSearchBriefly]) {
-                const text = encode(parameters).toString();
-                expect(decodeSearch(new URLSearchParams(text))).toEqual(parameters);
-            }
+            const brief = encodeSearchBriefly(parameters).toString();
+            expect(decodeSearch(new URLSearchParams(brief))).toEqual(parameters);
+            // The server is not told in which order the page shows its hits.
+            const full = encodeSearch(parameters);
+            expect(full.has('sort')).toBe(false);
+            const { order } = kSearchDefaults;
+            expect(decodeSearch(full)).toEqual({ ...parameters, order });
         }
     });
 

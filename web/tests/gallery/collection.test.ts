@@ -120,6 +120,52 @@ it('offers what there is to choose from, with numbers, and asks by it', async ()
     expect(facets).toHaveBeenCalledTimes(2);
 });
 
+it('has filters by numbers, fetched when they are opened, open where one is set', async () => {
+    const models = listed(2);
+    const facets = vi.fn(async () => ({
+        ...kNoFacets,
+        loops: [
+            { value: '0', models: 5 },
+            { value: '3-4', models: 2 },
+        ],
+        extents: [{ value: '10-100mm', models: 7 }],
+    }));
+    const context = contextWith({ models, facets });
+    const { node } = open(context);
+    await settled();
+    expect(node.querySelector('[name=loops]')).toBeNull();
+    const details = node.querySelector<HTMLDetailsElement>('.more-filters');
+    if (details) {
+        details.open = true;
+    }
+    await vi.waitFor(() => expect(node.querySelector('[name=loops]')).not.toBeNull());
+    const select = node.querySelector<HTMLSelectElement>('[name=loops]');
+    expect([...(select?.options ?? [])].map(({ text }) => text)).toEqual([
+        'Any number',
+        '0 (5)',
+        '3–4 (2)',
+    ]);
+    const hidden = [...node.querySelectorAll('.more-filters label')].map(
+        (label) => (label as HTMLElement).hidden,
+    );
+    expect(hidden, 'one value is no choice').toEqual([true, false, true, true]);
+    if (select) {
+        select.value = '3-4';
+        select.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+    await settled();
+    const filter = { ...kAllModels, loops: '3-4' };
+    expect(models.mock.calls.at(-1)?.[0]).toEqual(filter);
+    expect(context.visited).toEqual([{ ...kHome, filter }]);
+    shown?.dispose();
+    node.remove();
+    const again = open(contextWith({ models, facets }), { ...kHome, filter });
+    expect(again.node.querySelector<HTMLDetailsElement>('.more-filters')?.open).toBe(true);
+    await vi.waitFor(() =>
+        expect(again.node.querySelector<HTMLSelectElement>('[name=loops]')?.value).toBe('3-4'),
+    );
+});
+
 it('shows the answer to the last filter even where an earlier one comes later', async () => {
     const answers: ((page: ModelPage) => void)[] = [];
     const context = contextWith({

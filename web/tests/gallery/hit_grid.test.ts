@@ -9,11 +9,12 @@ const kLinks = {
     likeOf: () => ({ build: '#b', pose: '#p' }),
     selection: new Selection(),
     onMore: null,
+    order: 'distance' as const,
 };
 
 it('keeps the order of the hits, and measures the bars by one scale in every search', () => {
     const hits = [hit(1, { distance: 0.2 }), hit(2, { distance: 0.4 }), hit(3, { distance: 8 })];
-    const grid = hitGrid(searchResult(hits), kLinks);
+    const grid = hitGrid(searchResult(hits), kLinks).node;
     const links = [...grid.querySelectorAll('a.card-link')];
     expect(links.map((link) => link.getAttribute('href'))).toEqual(['#101', '#102', '#103']);
     const lengths = [...grid.querySelectorAll<HTMLElement>('.parts-bar')].map((bar) =>
@@ -24,7 +25,7 @@ it('keeps the order of the hits, and measures the bars by one scale in every sea
 
 it('draws one line before the hits that are far, and none among parts', () => {
     const hits = [0, 0.1, 2, 3].map((distance, at) => hit(at + 1, { distance }));
-    const rows = [...hitGrid(searchResult(hits), kLinks).querySelectorAll('ol > li')];
+    const rows = [...hitGrid(searchResult(hits), kLinks).node.querySelectorAll('ol > li')];
     expect(rows.map((row) => row.className)).toEqual([
         'card hit-card',
         'card hit-card',
@@ -32,10 +33,24 @@ it('draws one line before the hits that are far, and none among parts', () => {
         'card hit-card',
         'card hit-card',
     ]);
-    const parts = hitGrid({ ...searchResult(hits), part: true }, kLinks);
+    const parts = hitGrid({ ...searchResult(hits), part: true }, kLinks).node;
     expect(parts.querySelector('.cut-line')).toBeNull();
 });
 
 it('stands without hits', () => {
-    expect(hitGrid(searchResult([]), kLinks).querySelectorAll('a')).toHaveLength(0);
+    expect(hitGrid(searchResult([]), kLinks).node.querySelectorAll('a')).toHaveLength(0);
+});
+
+it('adds many hits a few at a time, and has no line between kinds in another order', async () => {
+    const hits = Array.from({ length: 30 }, (_, at) => hit(at + 1, { distance: at }));
+    const { node, whole } = hitGrid(searchResult(hits), { ...kLinks, order: 'name' });
+    document.body.append(node);
+    expect(node.querySelectorAll('.hit-card')).toHaveLength(12);
+    await whole;
+    expect(node.querySelectorAll('.hit-card')).toHaveLength(30);
+    expect(node.querySelector('.cut-line')).toBeNull();
+    expect(node.querySelector('ol')?.getAttribute('aria-label')).toBe('Hits by: Name');
+    node.remove();
+    const shown = hitGrid(searchResult(hits), { ...kLinks, first: 24 }).node;
+    expect(shown.querySelectorAll('.hit-card')).toHaveLength(24);
 });

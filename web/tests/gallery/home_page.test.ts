@@ -22,8 +22,15 @@ it('searches with the chosen file as its options say', async () => {
     const context = contextWith({ models, search });
     page = homePage(kHome, context);
     document.body.append(page.node);
-    const rerank = page.node.querySelector<HTMLInputElement>('[name=rerank]');
-    rerank?.click();
+    const { node } = page;
+    const rerank = () => node.querySelector<HTMLInputElement>('[name=rerank]');
+    expect(rerank(), 'nobody has opened the options').toBeNull();
+    const options = node.querySelector<HTMLDetailsElement>('.hero details');
+    if (options) {
+        options.open = true;
+    }
+    await vi.waitFor(() => expect(rerank()).not.toBeNull());
+    rerank()?.click();
     expect(context.parameters.rerank).toBe(true);
     const input = page.node.querySelector('input[type=file]') as HTMLInputElement;
     Object.defineProperty(input, 'files', { value: [new File(['OFF'], 'elephant.off')] });
@@ -34,5 +41,6 @@ it('searches with the chosen file as its options say', async () => {
         context.parameters,
         expect.anything(),
         expect.any(Function),
+        expect.stringMatching(/^[0-9a-f]{32}$/),
     );
 });

@@ -63,6 +63,30 @@ it('opens and closes the comparison without asking again', async () => {
     expect(server.similar).toHaveBeenCalledOnce();
 });
 
+it('shows the hits in another order without asking again, and steps through them in it', async () => {
+    const server = client();
+    server.similar.mockResolvedValue(
+        searchResult([hit(1, { name: 'b' }), hit(2, { name: 'c' }), hit(3, { name: 'a' })]),
+    );
+    const context = contextWith(server);
+    page = resultsPage(route(), context);
+    await settled();
+    const select = page.node.querySelector<HTMLSelectElement>('.hit-order select');
+    if (select) {
+        select.value = 'name';
+        select.dispatchEvent(new Event('change'));
+    }
+    const named = resultsOf(kModel, { ...kSearchDefaults, order: 'name' }) as ResultsRoute;
+    expect(context.visited).toEqual([named]);
+    expect(page.update(named)).toBe(true);
+    const names = [...page.node.querySelectorAll('.hit-card .card-name')];
+    expect(names.map((name) => name.textContent)).toEqual(['a', 'b', 'c']);
+    expect(page.update({ ...named, over: { kind: 'hit', id: 101 } })).toBe(true);
+    document.querySelector<HTMLButtonElement>('dialog [aria-label="Next hit"]')?.click();
+    expect(context.visited.at(-1)).toEqual({ ...named, over: { kind: 'hit', id: 102 } });
+    expect(server.similar).toHaveBeenCalledOnce();
+});
+
 it('leads from a hit to its neighbours in the list', async () => {
     const context = contextWith(client());
     page = resultsPage(route(102), context);

@@ -16,6 +16,7 @@ const kOther: SearchParameters = {
     className: 'table',
     folder: 'old/oak',
     kind: 'stl',
+    order: 'faces',
 };
 
 it.each([kSearchDefaults, kOther, { ...kSearchDefaults, limit: 7 }])(

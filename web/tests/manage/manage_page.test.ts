@@ -30,6 +30,7 @@ function administration(methods: Partial<Administration> = {}): Administration {
         failures: async () => [kFailure],
         add: async () => 4,
         job: async () => ({ id: 4, state: 'done', model: 12, error: null }),
+        jobs: async () => [],
         remove: async () => {},
         classify: async () => {},
         ...methods,

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
+import { kAllModels } from '../../src/api/client';
 import { kSearchDefaults } from '../../src/api/search_parameters';
 import {
     formatRoute,
@@ -19,7 +20,17 @@ function* routes(): Generator<Route> {
     yield kHome;
     yield {
         page: 'home',
-        filter: { name: 'a b&c', className: 'four/legs #1?', folder: 'x/ü', kind: 'stl' },
+        filter: {
+            ...kAllModels,
+            name: 'a b&c',
+            className: 'four/legs #1?',
+            folder: 'x/ü',
+            kind: 'stl',
+            branches: '5-8',
+            loops: '17-',
+            extent: '10-100mm',
+            unit: '0.3 m',
+        },
         sort: 'faces',
         at: 120,
     };
@@ -44,6 +55,7 @@ function* routes(): Generator<Route> {
                     className: 'ü &=',
                     folder: '',
                     kind: '',
+                    order: 'faces',
                 },
                 over,
             );

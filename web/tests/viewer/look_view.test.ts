@@ -5,7 +5,8 @@ import { lookView } from '../../src/viewer/look_view';
 import { Measure } from '../../src/viewer/measure';
 import { ModelScene, nodeRadius } from '../../src/viewer/model_scene';
 import { cameraPosition, kFirstOrbit, standardView } from '../../src/viewer/orbit';
-import { distanceColor, kFarShare, layOver } from '../../src/viewer/overlay';
+import { distanceColor, kFarShare, layingOver } from '../../src/viewer/overlay';
+import { atOnce } from '../../src/viewer/slices';
 import { oklab } from '../../src/viewer/part_colors';
 import { readViewerTheme } from '../../src/viewer/theme';
 import { kMesh, kSkeleton } from '../sample';
@@ -114,11 +115,13 @@ it('looks from where drawings look', () => {
 
 it('lays a model over itself without a gap, and colours what is farther lighter', () => {
     const [query, hit] = [scene(), scene()];
-    const { most, mean, distances } = layOver(query, hit, {
-        nodes: [],
-        branches: [],
-        cluster_sizes: [],
-    });
+    const { most, mean, distances } = atOnce(
+        layingOver(query, hit, {
+            nodes: [],
+            branches: [],
+            cluster_sizes: [],
+        }),
+    );
     expect(most).toBeLessThan(1e-4);
     expect(mean).toBeLessThanOrEqual(most);
     expect(distances).toHaveLength(12);

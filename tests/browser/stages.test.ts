@@ -1,0 +1,105 @@
+import type { Page } from 'playwright-core';
+import { afterEach, describe, expect, it } from 'vitest';
+
+import { Visits } from './visits';
+
+const visits = new Visits();
+
+afterEach(() => {
+    expect(visits.visitor.complaints).toEqual([]);
+});
+
+/** Bars across each other: what a search has work with. */
+function lattice(bars: number): Buffer {
+    const vertices: string[] = [];
+    const faces: string[] = [];
+    const bar = (low: number[], high: number[]): void => {
+        const first = vertices.length;
+        for (let corner = 0; corner < 8; corner++) {
+            vertices.push(
+                [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? high : low)[axis]).join(' '),
+            );
+        }
+        for (const face of [
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
+        ]) {
+            faces.push(`4 ${face.map((each) => first + each).join(' ')}`);
+        }
+    };
+    for (let x = 0; x < bars; x++) {
+        for (let y = 0; y < bars; y++) {
+            bar([x, y, 0], [x + 0.3, y + 0.3, bars]);
+            bar([x, 0, y], [x + 0.3, bars, y + 0.3]);
+            bar([0, x, y], [bars, x + 0.3, y + 0.3]);
+        }
+    }
+    return Buffer.from(
+        `OFF\n${vertices.length} ${faces.length} 0\n${[...vertices, ...faces].join('\n')}\n`,
+    );
+}
+
+/** Notes all that the bar says from now on. */
+async function watchBar(page: Page): Promise<void> {
+    await page.evaluate(() => {
+        const said: string[] = [];
+        Object.assign(globalThis, { said });
+        new MutationObserver(() => {
+            const text = document.querySelector('.progress-line span')?.textContent;
+            if (text && said.at(-1) !== text) {
+                said.push(text);
+            }
+        }).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
+}
+
+async function begin(page: Page, bars: number): Promise<{ token: string }> {
+    await watchBar(page);
+    const asked = page.waitForRequest('**/v1/search?*');
+    const file = { name: 'lattice.off', mimeType: 'text/plain', buffer: lattice(bars) };
+    await page.locator('.header input[type=file]').setInputFiles(file);
+    const token = new URL((await asked).url()).searchParams.get('progress') ?? '';
+    expect(token).toMatch(/^[0-9a-f]{32}$/);
+    return { token };
+}
+
+describe('a search with an upload', () => {
+    it('says which stage the server is in, until the hits are there', async () => {
+        const page = await visits.open('#/');
+        await page.locator('.collection .card-link').first().waitFor();
+        await begin(page, 9);
+        const bar = page.getByRole('progressbar');
+        await page.locator('.progress-line', { hasText: /step \d+ of 12/ }).waitFor();
+        expect(await bar.getAttribute('aria-valuetext')).toContain('lattice.off');
+        await page.locator('.hit-card').first().waitFor();
+        const said = await page.evaluate(() => (globalThis as unknown as { said: string[] }).said);
+        const steps = said.flatMap((text) => {
+            const step = /step (\d+) of 12/.exec(text)?.[1];
+            return step ? [Number(step)] : [];
+        });
+        expect(steps.length).toBeGreaterThan(1);
+        expect(steps).toEqual([...steps].sort((a, b) => a - b));
+        expect(await bar.count()).toBe(0);
+    });
+
+    it('is given up by the server once it is cancelled', async () => {
+        const page = await visits.open('#/');
+        await page.locator('.collection .card-link').first().waitFor();
+        const { token } = await begin(page, 14);
+        await page.locator('.progress-line', { hasText: /step \d+ of 12/ }).waitFor();
+        await page.locator('.progress').getByRole('button', { name: 'Cancel' }).click();
+        await page.locator('.progress').waitFor({ state: 'detached' });
+        const stage = async (): Promise<unknown> => {
+            const { origin } = visits.collection;
+            return (await (await page.request.get(`${origin}/v1/progress/${token}`)).json()).stage;
+        };
+        // It looks for that every few milliseconds of its work.
+        await expect.poll(stage, { timeout: 20_000 }).toBeNull();
+        expect(page.url()).toMatch(/#\/$/);
+        expect(await page.locator('.card-link').count()).toBeGreaterThan(0);
+    });
+});
