@@ -21,7 +21,7 @@ install(FILES packaging/ossuary.bash RENAME ossuary
 install(FILES packaging/ossuary.bash RENAME ossuary-server
         DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions)
 install(FILES packaging/_ossuary DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/zsh/vendor-completions)
-install(FILES packaging/ossuary-server.service packaging/ossuary-index@.service
+install(FILES packaging/ossuary-server.service packaging/ossuary-watch@.service
         DESTINATION /lib/systemd/system)
 install(FILES packaging/server.conf DESTINATION /etc/ossuary)
 

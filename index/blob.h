@@ -22,6 +22,7 @@ inline constexpr BlobKind kGlobalsBlob{"GLOB", 3};
 inline constexpr BlobKind kSignatureBlob{"SIGN", 1};
 inline constexpr BlobKind kPreviewBlob{"MESH", 4};
 inline constexpr BlobKind kSegmentsBlob{"PART", 2};
+inline constexpr BlobKind kFeaturesBlob{"FEAT", 1};
 inline constexpr BlobKind kThumbnailBlob{"THUM", 1};
 inline constexpr BlobKind kStatisticsBlob{"STAT", 1};
 inline constexpr BlobKind kEvaluationBlob{"EVAL", 1};

@@ -9,6 +9,7 @@
 #include "engine/descriptor/model_descriptor.h"
 #include "engine/ranking/ranker.h"
 #include "engine/ranking/retrieval_metrics.h"
+#include "engine/registration/piece_search.h"
 #include "engine/skeleton/skeleton_graph.h"
 #include "index/model.h"
 
@@ -38,6 +39,11 @@ Result<PreviewMesh> decode_preview(std::string_view blob);
 
 [[nodiscard]] std::string encode_segments(const ModelSegments& segments);
 Result<ModelSegments> decode_segments(std::string_view blob);
+
+/// Normals are rounded to 1/127, points to 32-bit floats about the first of them.
+/// @pre values of features are coarse (local_features.h)
+[[nodiscard]] std::string encode_features(const registration::WholeFeatures& whole);
+Result<registration::WholeFeatures> decode_features(std::string_view blob);
 
 [[nodiscard]] std::string encode_thumbnail(const std::vector<std::uint8_t>& png);
 Result<std::vector<std::uint8_t>> decode_thumbnail(std::string_view blob);

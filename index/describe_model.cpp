@@ -9,6 +9,7 @@
 #include "engine/descriptor/describe.h"
 #include "engine/mesh/decimate.h"
 #include "engine/mesh/measures.h"
+#include "engine/registration/piece_search.h"
 #include "engine/voxel/read_model.h"
 #include "index/companion_hash.h"
 #include "index/content_hash.h"
@@ -60,6 +61,7 @@ Result<NewModel> describe_checked(const ModelSource& source, const IndexParamete
     const mesh::TriangleMesh coarse =
         mesh::decimate(body, {.max_triangles = kPreviewTriangles}, stop);
     model.preview = make_preview(coarse);
+    model.features = registration::whole_features(mesh_of(model.preview));
     if (stop.stop_requested()) return describing_cancelled(source.name);
     model.summary.frame = frame_of(*read);
     const Up found = model.summary.frame.up ? *model.summary.frame.up : find_up(coarse);

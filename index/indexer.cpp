@@ -12,6 +12,7 @@
 #include "index/describe_model.h"
 #include "index/descriptor_cache.h"
 #include "index/file_stamp.h"
+#include "index/missing_features.h"
 #include "index/model_files.h"
 #include "index/model_place.h"
 #include "index/model_timer.h"
@@ -430,6 +431,9 @@ Result<IndexOutcome> IndexRun::run() {
     }
     if (options_.prune != Prune::kNo) {
         if (const auto pruned = prune(); !pruned) return pruned.error();
+    }
+    if (const auto added = add_missing_features(store_, options_.jobs, stop_); !added) {
+        return added.error();
     }
     sink_.phase("computing the collection's statistics");
     if (const auto updated = update_statistics(store_, options_.jobs, stop_); !updated) {

@@ -25,5 +25,6 @@ inline constexpr int kFirstVersionWithUploads = 4;  ///< and with checksums of r
 inline constexpr int kFirstVersionWithOrientations = 5;
 inline constexpr int kFirstVersionWithFrames = 6;  ///< what files say of units and axes
 inline constexpr int kFirstVersionWithScan = 7;    ///< blocks of what searches look at
+inline constexpr int kFirstVersionWithFeatures = 8;  ///< of surfaces, for parts
 
 }  // namespace ossuary::index

@@ -11,6 +11,7 @@
 #include "engine/decomposition/decompose.h"
 #include "engine/descriptor/describe.h"
 #include "engine/mesh/triangle_mesh.h"
+#include "engine/registration/piece_search.h"
 #include "engine/skeleton/skeleton_graph.h"
 #include "engine/skeleton/thinning.h"
 #include "index/up.h"
@@ -126,7 +127,8 @@ struct NewModel {
     /// None where the model could not be cut into parts; then the warning kSegmentsMissing says
     /// why.
     std::optional<ModelSegments> segments;
-    std::vector<std::uint8_t> thumbnail;  ///< PNG; empty where none could be drawn
+    registration::WholeFeatures features;  ///< of the preview; none where that has no area
+    std::vector<std::uint8_t> thumbnail;   ///< PNG; empty where none could be drawn
 };
 
 inline constexpr std::string_view kSegmentsMissing = "segments_missing";

@@ -3,6 +3,7 @@
 #include <zstd.h>
 
 #include <cstdint>
+#include <memory>
 
 #include "index/bytes.h"
 
@@ -15,6 +16,15 @@ enum class PackedForm : std::uint8_t { kPlain = 0, kZstandard = 1 };
 /// Higher levels change little in so few bytes.
 constexpr int kZstandardLevel = 12;
 constexpr std::size_t kPackedHeader = 5;
+
+/// A context takes 150 kB: made anew for each blob, clearing their pages cost as much as unpacking.
+ZSTD_DCtx* unpacking_context() {
+    struct Free {
+        void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+    };
+    thread_local const std::unique_ptr<ZSTD_DCtx, Free> context(ZSTD_createDCtx());
+    return context.get();
+}
 
 }  // namespace
 
@@ -44,8 +54,10 @@ std::optional<std::string> unpack_bytes(std::string_view packed) {
     const std::string_view frame = packed.substr(kPackedHeader);
     if (count / kMostExpansion > frame.size()) return {};
     std::string bytes(count, '\0');
+    ZSTD_DCtx* context = unpacking_context();
+    if (context == nullptr) return {};
     const std::size_t size =
-        ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
+        ZSTD_decompressDCtx(context, bytes.data(), bytes.size(), frame.data(), frame.size());
     if (ZSTD_isError(size) != 0U || size != count) return {};
     return bytes;
 }

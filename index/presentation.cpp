@@ -117,6 +117,18 @@ json skeleton_json(const skeleton::SkeletonGraph& graph, std::string_view unit,
     return {{"unit", unit}, {"nodes", std::move(nodes)}, {"branches", std::move(branches)}};
 }
 
+json placement_json(const std::optional<registration::PiecePlacement>& placed) {
+    if (!placed) return {};
+    const Eigen::Matrix4d matrix = placed->placement.matrix();
+    json rows = json::array();
+    for (int row = 0; row < 4; ++row) {
+        rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
+    }
+    return {{"matrix", std::move(rows)},
+            {"scale", placed->placement.scale},
+            {"explained", placed->explained}};
+}
+
 }  // namespace
 
 json to_json(const Box3& box) { return {{"min", point(box.min())}, {"max", point(box.max())}}; }
@@ -216,6 +228,7 @@ json to_json(const Hit& hit) {
             {"build_difference", number_or_null(hit.build)},
             {"pose_difference", number_or_null(hit.pose)},
             {"matched_nodes", hit.matched_nodes},
+            {"placement", placement_json(hit.placement)},
             {"match", to_json(hit.match)}};
 }
 

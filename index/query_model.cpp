@@ -59,6 +59,12 @@ Result<PreviewMesh> QueryModel::preview(const std::stop_token& stop) {
     return make_preview(*mesh);
 }
 
+const registration::PieceQuery& QueryModel::piece() {
+    const Lock lock(mutex_);
+    if (!piece_) piece_ = registration::piece_query(described_.body.of(mesh_));
+    return *piece_;
+}
+
 Result<ModelSegments> QueryModel::segments(const std::stop_token& stop) {
     // Whoever asks meanwhile waits and has them at once.
     const Lock lock(mutex_);

@@ -37,6 +37,8 @@ public:
 
     /// At most about 2000 triangles of what was described. Errors: cancelled.
     Result<PreviewMesh> preview(const std::stop_token& stop = {});
+    /// What is described, as it is looked for as a part. The reference lasts as long as this.
+    const registration::PieceQuery& piece();
     /// Errors: those of segment_model.
     Result<ModelSegments> segments(const std::stop_token& stop = {});
 
@@ -55,6 +57,7 @@ private:
     const FileFrame frame_;
     Mutex mutex_;
     std::optional<mesh::TriangleMesh> coarse_ OSSUARY_GUARDED_BY(mutex_);
+    std::optional<registration::PieceQuery> piece_ OSSUARY_GUARDED_BY(mutex_);
     std::optional<ModelSegments> segments_ OSSUARY_GUARDED_BY(mutex_);
 };
 

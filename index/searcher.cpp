@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <set>
 #include <tuple>
 
 #include "engine/core/mutex.h"
 #include "engine/descriptor/describe.h"
 #include "engine/ranking/explain.h"
-#include "index/catalogue.h"
 #include "index/descriptor_cache.h"
+#include "index/find_hits.h"
+#include "index/preview.h"
 
 namespace ossuary::index {
 
@@ -29,152 +29,6 @@ StoredSkeleton with_chain_codes(skeleton::SkeletonGraph graph,
 ranking::RankOptions stoppable(ranking::RankOptions options, std::stop_token stop) {
     options.stop = std::move(stop);
     return options;
-}
-
-/// What is asked of one snapshot.
-struct Question {
-    const Snapshot& snapshot;
-    SnapshotDescriptors& descriptors;
-    const descriptor::ModelDescriptor& query;
-    const SearchOptions& options;
-    ModelId left_out = 0;
-};
-
-ranking::NearestOptions nearest_options(const Snapshot& snapshot, const SearchOptions& options) {
-    // One more, because the model that is left out is among the nearest.
-    ranking::NearestOptions nearest;
-    nearest.count = options.limit == 0 ? snapshot.size() : options.limit + 1;
-    return nearest;
-}
-
-/// The positions of the models that may be hits, ascending; none where all may.
-Result<std::optional<std::vector<std::uint32_t>>> looked_among(const Snapshot& snapshot,
-                                                               Store& store,
-                                                               const SearchOptions& options) {
-    using Positions = std::optional<std::vector<std::uint32_t>>;
-    if (!options.folder && !options.kind) {
-        if (options.class_filter.empty()) return Positions();
-        return Positions(snapshot.of_class(options.class_filter));
-    }
-    CatalogueFilter filter{.folder = options.folder, .kind = options.kind};
-    if (!options.class_filter.empty()) filter.class_name = options.class_filter;
-    const auto listed = list_models(snapshot, store, filter, CatalogueOrder::kId);
-    if (!listed) return listed.error();
-    return Positions(std::in_place, listed->begin(), listed->end());
-}
-
-/// The models that may be hits, nearest first.
-Result<std::vector<ranking::RankedModel>> ranked(const Question& question, Store& store) {
-    const Snapshot& snapshot = question.snapshot;
-    const SearchOptions& options = question.options;
-    // Distances do not depend on what is looked for among: they are judged by the whole collection.
-    ranking::NearestOptions nearest = nearest_options(snapshot, options);
-    // Each copy may take a place that another model is to have; in large collections that are
-    // mostly copies the list may then end early.
-    if (options.fold_copies) nearest.spare = snapshot.size();
-    const auto among = looked_among(snapshot, store, options);
-    if (!among) return among.error();
-    if (*among) {
-        nearest.among = **among;
-    }
-    const auto models =
-        ranking::nearest_models(question.query, question.descriptors, snapshot.preselection(),
-                                snapshot.normalization(), options.rank, nearest);
-    if (!models) return models.error();
-    std::vector<ranking::RankedModel> hits;
-    std::set<std::uint64_t> seen;
-    for (const ranking::RankedModel& found : *models) {
-        if (snapshot.id(found.index) == question.left_out) continue;
-        if (options.fold_copies && !seen.insert(snapshot.measures(found.index)).second) continue;
-        hits.push_back(found);
-        if (hits.size() == options.limit) break;
-    }
-    return hits;
-}
-
-/// Parts and correspondences of hits; those whose descriptors are gone go, too.
-Result<void> explain_hits(const Question& question, std::span<const std::uint32_t> positions,
-                          std::vector<Hit>& hits) {
-    const auto descriptors = question.descriptors.fetch(positions);
-    if (!descriptors) return descriptors.error();
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        if (!(*descriptors)[i]) continue;
-        auto match = ranking::explain(question.query, *(*descriptors)[i],
-                                      question.snapshot.normalization(), question.options.rank);
-        if (!match) return match.error();
-        Hit& hit = hits[i];
-        hit.parts = std::move(match->parts);
-        hit.matched_nodes = match->correspondence.nodes.size();
-        hit.build = match->build;
-        hit.pose = match->pose;
-        hit.match = std::move(match->correspondence);
-        if (kept != i) hits[kept] = std::move(hit);
-        ++kept;
-    }
-    hits.resize(kept);
-    return {};
-}
-
-/// What a search has found, without its query.
-struct Found {
-    std::vector<Hit> hits;
-    StageTimes stages_ms;
-    std::size_t models = 0;
-    Revision revision = 0;
-    bool complete = true;  ///< nothing was missing that the snapshot knows of
-
-    void move_into(SearchResult& result) && {
-        result.hits = std::move(hits);
-        result.stages_ms = std::move(stages_ms);
-        result.models = models;
-        result.revision = revision;
-    }
-};
-
-/// Ranks the snapshot for a query and explains the hits.
-Result<Found> find_hits(const Question& question, Store& store) {
-    const Snapshot& snapshot = question.snapshot;
-    Found result;
-    Stopwatch watch;
-    const StageReport& on_stage = question.options.on_stage;
-    if (on_stage) on_stage("rank");
-    const auto models = ranked(question, store);
-    if (!models) return models.error();
-    std::vector<std::uint32_t> positions;
-    std::vector<std::uint64_t> measures;
-    for (const ranking::RankedModel& found : *models) {
-        auto model = store.model(snapshot.id(found.index));
-        if (!model && model.error().code != ErrorCode::kModelNotFound) return model.error();
-        if (!model) {
-            result.complete = false;
-            continue;
-        }
-        positions.push_back(static_cast<std::uint32_t>(found.index));
-        measures.push_back(snapshot.measures(found.index));
-        Hit hit;
-        hit.id = model->id;
-        hit.name = std::move(model->name);
-        hit.class_name = std::move(model->class_name);
-        hit.path = std::move(model->path);
-        hit.faces = model->faces;
-        hit.extent = model->bounds.sizes();
-        hit.distance = found.distance;
-        result.hits.push_back(std::move(hit));
-    }
-    const auto copies = snapshot.count_measures(measures);
-    for (std::size_t i = 0; i < copies.size(); ++i) result.hits[i].copies = copies[i] - 1;
-    result.stages_ms.push_back({"rank", watch.lap_ms()});
-    if (question.options.with_match) {
-        if (on_stage) on_stage("explain");
-        if (auto done = explain_hits(question, positions, result.hits); !done) return done.error();
-        result.stages_ms.push_back({"explain", watch.lap_ms()});
-    }
-    for (std::size_t i = 0; i < result.hits.size(); ++i) result.hits[i].rank = i + 1;
-    result.models = snapshot.size();
-    result.revision = snapshot.revision();
-    result.complete = result.complete && !question.descriptors.missed();
-    return result;
 }
 
 Result<void> check_rank_options(const ranking::RankOptions& options) {
@@ -229,8 +83,14 @@ struct Searcher::Impl {
         const Lock lock(mutex);
         return current;
     }
-    Result<Found> nearest(const descriptor::ModelDescriptor& query, const SearchOptions& options,
-                          ModelId left_out, std::shared_ptr<const Snapshot> snapshot,
+    /// What is looked for.
+    struct Sought {
+        const descriptor::ModelDescriptor& query;
+        const SearchOptions& options;
+        ModelId left_out = 0;
+        const registration::PieceQuery* piece = nullptr;
+    };
+    Result<Found> nearest(const Sought& sought, std::shared_ptr<const Snapshot> snapshot,
                           Searcher& searcher);
 };
 
@@ -307,10 +167,10 @@ Result<DescribedQuery> Searcher::describe(const mesh::TriangleMesh& query, std::
     return described;
 }
 
-Result<Found> Searcher::Impl::nearest(const descriptor::ModelDescriptor& query,
-                                      const SearchOptions& options, ModelId left_out,
+Result<Found> Searcher::Impl::nearest(const Sought& sought,
                                       std::shared_ptr<const Snapshot> snapshot,
                                       Searcher& searcher) {
+    const SearchOptions& options = sought.options;
     for (int attempt = 1;; ++attempt) {
         const bool all = ranking::measures_all(snapshot->size(), options.rank,
                                                nearest_options(*snapshot, options));
@@ -320,7 +180,9 @@ Result<Found> Searcher::Impl::nearest(const descriptor::ModelDescriptor& query,
                                         options.rank.jobs);
         const auto reader = pool.lend();
         if (!reader) return reader.error();
-        auto found = find_hits({*snapshot, descriptors, query, options, left_out}, **reader);
+        auto found = find_hits(
+            {*snapshot, descriptors, sought.query, options, sought.left_out, sought.piece},
+            **reader);
         if (!found || found->complete || attempt == kAttempts) return found;
         auto later = searcher.snapshot();
         if (!later) return later.error();
@@ -329,14 +191,15 @@ Result<Found> Searcher::Impl::nearest(const descriptor::ModelDescriptor& query,
 }
 
 Result<SearchResult> Searcher::nearest(const DescribedQuery& query, const SearchOptions& options,
-                                       std::stop_token stop) {
+                                       std::stop_token stop,
+                                       const registration::PieceQuery* piece) {
     if (const auto checked = check_rank_options(options.rank); !checked) return checked.error();
     const Stopwatch total;
     const auto loaded = snapshot();
     if (!loaded) return loaded.error();
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
-    auto found = impl_->nearest(query.descriptor, search, 0, *loaded, *this);
+    auto found = impl_->nearest({query.descriptor, search, 0, piece}, *loaded, *this);
     if (!found) return found.error();
     SearchResult result;
     std::move(*found).move_into(result);
@@ -352,13 +215,20 @@ Result<SearchResult> Searcher::search(const mesh::TriangleMesh& query, const Sea
     if (const auto loaded = snapshot(); !loaded) return loaded.error();
     auto described = describe(query, stop, options.on_stage);
     if (!described) return described.error();
-    auto result = nearest(*described, options, std::move(stop));
+    Stopwatch watch;
+    std::optional<registration::PieceQuery> piece;
+    if (options.rank.part) {
+        piece = registration::piece_query(described->body.of(query));
+        described->stages_ms.push_back({"features", watch.lap_ms()});
+    }
+    auto result = nearest(*described, options, std::move(stop), piece ? &*piece : nullptr);
     if (!result) return result.error();
     result->stages_ms.insert(result->stages_ms.begin(), described->stages_ms.begin(),
                              described->stages_ms.end());
     result->query_skeleton = std::move(described->skeleton);
     result->query_body = std::move(described->body);
-    result->warnings = std::move(described->warnings);
+    result->warnings.insert(result->warnings.begin(), described->warnings.begin(),
+                            described->warnings.end());
     result->took_ms = total.elapsed_ms();
     return result;
 }
@@ -371,14 +241,21 @@ Result<SearchResult> Searcher::similar(ModelId id, const SearchOptions& options,
     if (!found) return found.error();
     SearchOptions search = options;
     search.rank = stoppable(options.rank, std::move(stop));
-    auto hits = impl_->nearest(*found->descriptors.front(), search, id, found->snapshot, *this);
+    std::optional<registration::PieceQuery> piece;
+    if (options.rank.part) {
+        const auto preview = impl_->store.preview(id);
+        if (!preview) return preview.error();
+        piece = registration::piece_query(mesh_of(*preview));
+    }
+    auto hits = impl_->nearest({*found->descriptors.front(), search, id, piece ? &*piece : nullptr},
+                               found->snapshot, *this);
     if (!hits) return hits.error();
     const auto model = impl_->store.model(id);
     if (!model) return model.error();
     SearchResult result;
     std::move(*hits).move_into(result);
     result.query_skeleton = std::move(found->skeletons.front());
-    result.warnings = model->warnings;
+    result.warnings.insert(result.warnings.begin(), model->warnings.begin(), model->warnings.end());
     result.took_ms = total.elapsed_ms();
     return result;
 }

@@ -17,6 +17,7 @@
 #include "engine/mesh/triangle_mesh.h"
 #include "engine/ranking/descriptor_source.h"
 #include "engine/ranking/ranker.h"
+#include "engine/registration/piece_search.h"
 #include "index/model.h"
 #include "index/snapshot.h"
 #include "index/store.h"
@@ -47,7 +48,9 @@ struct Hit {
     std::vector<matching::DistancePart> parts;
     std::size_t matched_nodes = 0;
     std::optional<double> build, pose;  ///< those of matching::Match
-    matching::Correspondence match;     ///< a = the query's nodes and branches, b = the hit's
+    /// Where a part lies in the hit, both in model units; only with `part`, and of the most alike.
+    std::optional<registration::PiecePlacement> placement;
+    matching::Correspondence match;  ///< a = the query's nodes and branches, b = the hit's
 };
 
 struct SearchResult {
@@ -110,9 +113,12 @@ public:
     Result<DescribedQuery> describe(const mesh::TriangleMesh& query, std::stop_token stop = {},
                                     const StageReport& on_stage = {});
     /// The models nearest to a query; its warnings, skeleton and body are left out of the result.
+    /// @param piece  the query's surface, for a search by part; without, that goes by the skeleton
+    /// alone
     /// Errors: cancelled.
     Result<SearchResult> nearest(const DescribedQuery& query, const SearchOptions& options = {},
-                                 std::stop_token stop = {});
+                                 std::stop_token stop = {},
+                                 const registration::PieceQuery* piece = nullptr);
     /// Both at once. Errors: those of describe, cancelled.
     Result<SearchResult> search(const mesh::TriangleMesh& query, const SearchOptions& options = {},
                                 std::stop_token stop = {});

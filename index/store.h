@@ -51,6 +51,11 @@ struct TurnModel {
 struct RemoveModel {
     ModelId id = 0;
 };
+struct AddFeatures {  ///< of a model that has none; does nothing if it has changed since
+    ModelId id = 0;
+    Revision changed_at = 0;
+    registration::WholeFeatures features;
+};
 struct RecordFailure {  ///< replaces an earlier failure and, if its bytes differ, model of the path
     std::string path, content_hash;
     Error error;
@@ -67,7 +72,7 @@ struct FailUpload {  ///< the upload has failed for good
     Error error;
 };
 using Change = std::variant<PutModel, MoveModel, ClassifyModel, TurnModel, RemoveModel,
-                            RecordFailure, ForgetFailure, PutUpload, FailUpload>;
+                            RecordFailure, ForgetFailure, PutUpload, FailUpload, AddFeatures>;
 
 /// What is to be done for a file, see Store::claim_work.
 struct Work {
@@ -114,6 +119,12 @@ struct ListedModel {
 struct ModelLoops {
     ModelId id = 0;
     std::uint32_t loops = 0;
+};
+/// What pieces of a model are found by, and when the model last changed.
+struct StoredFeatures {
+    ModelId id = 0;
+    Revision changed_at = 0;
+    registration::WholeFeatures features;
 };
 /// The collection's statistics and the revision that they were made at.
 struct StoredStatistics {
@@ -268,6 +279,12 @@ public:
     Result<PreviewMesh> preview(ModelId id);
     /// None for a model that could not be cut into parts.
     Result<std::optional<ModelSegments>> segments(ModelId id);
+    /// Local features of the surfaces of at most `limit` models with ids above `after`, in the
+    /// order of ids; models that have none are left out. Decoded by `jobs` threads.
+    Result<std::vector<StoredFeatures>> features(ModelId after, std::size_t limit, int jobs = 1);
+    /// At most `limit` models with ids above `after` that have none, in the order of ids;
+    /// `features` is empty.
+    Result<std::vector<StoredFeatures>> without_features(ModelId after, std::size_t limit);
     Result<std::vector<std::uint8_t>> thumbnail(ModelId id);
     Result<std::vector<Failure>> failures();
 

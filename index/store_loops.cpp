@@ -1,45 +1,33 @@
 // How many loops skeletons have: read of their branches, without decoding a skeleton.
 
 #include <algorithm>
-#include <numeric>
 
+#include "engine/mesh/disjoint_sets.h"
 #include "index/store_impl.h"
 
 namespace ossuary::index {
 
 namespace {
 
-/// The nodes of a skeleton, by what hangs together.
-class Pieces {
+/// The nodes of a skeleton, and how many loops its branches close.
+class LoopCount {
 public:
-    void reset(std::size_t nodes) {
-        parents_.resize(nodes);
-        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-        loops_ = 0;
-    }
+    explicit LoopCount(std::size_t nodes) : sets_(nodes), nodes_(nodes) {}
+
     /// A branch between what hangs together already closes a loop.
     void join(std::int64_t a, std::int64_t b) {
-        const auto size = static_cast<std::int64_t>(parents_.size());
+        const auto size = static_cast<std::int64_t>(nodes_);
         if (a < 0 || b < 0 || a >= size || b >= size) return;  // damaged: told by verify
-        const std::size_t one = root(static_cast<std::size_t>(a));
-        const std::size_t other = root(static_cast<std::size_t>(b));
-        if (one == other) {
-            ++loops_;
-        } else {
-            parents_[one] = other;
-        }
+        const std::uint32_t one = sets_.find(static_cast<std::uint32_t>(a));
+        const std::uint32_t other = sets_.find(static_cast<std::uint32_t>(b));
+        if (one == other) ++loops_;
+        sets_.unite(one, other);
     }
     [[nodiscard]] std::uint32_t loops() const { return loops_; }
 
 private:
-    std::size_t root(std::size_t node) {
-        while (parents_[node] != node) {
-            parents_[node] = parents_[parents_[node]];
-            node = parents_[node];
-        }
-        return node;
-    }
-    std::vector<std::size_t> parents_;
+    mesh::DisjointSets sets_;
+    std::size_t nodes_;
     std::uint32_t loops_ = 0;
 };
 
@@ -56,19 +44,17 @@ Result<std::vector<ModelLoops>> Store::loops(ModelId first, ModelId last) {
             "ORDER BY model, branch"));
         nodes.bind(first, last);
         branches.bind(first, last);
-        Pieces pieces;
         // No skeleton has more: a number that damage made must not fill memory.
         constexpr std::int64_t kMostNodes = 1 << 20;
         bool more = branches.step();
         while (nodes.step()) {
             const ModelId id = nodes.integer(0);
-            pieces.reset(static_cast<std::size_t>(
+            LoopCount count(static_cast<std::size_t>(
                 std::clamp<std::int64_t>(nodes.integer(1), 0, kMostNodes)));
             for (; more && branches.integer(0) <= id; more = branches.step()) {
-                if (branches.integer(0) == id)
-                    pieces.join(branches.integer(1), branches.integer(2));
+                if (branches.integer(0) == id) count.join(branches.integer(1), branches.integer(2));
             }
-            models.push_back({id, pieces.loops()});
+            models.push_back({id, count.loops()});
         }
         return models;
     });

@@ -296,6 +296,57 @@ Result<std::optional<ModelSegments>> Store::segments(ModelId id) {
     });
 }
 
+Result<std::vector<StoredFeatures>> Store::features(ModelId after, std::size_t limit, int jobs) {
+    struct Blob {
+        ModelId id = 0;
+        Revision changed_at = 0;
+        std::string features;
+    };
+    const auto read = impl_->locked([&]() -> Result<std::vector<Blob>> {
+        std::vector<Blob> blobs;
+        if (impl_->version < kFirstVersionWithFeatures) return blobs;
+        Query query(
+            impl_->statement("SELECT f.model, m.revision, f.features FROM surface_features f "
+                             "JOIN models m ON m.id = f.model WHERE f.model > ? "
+                             "ORDER BY f.model LIMIT ?"));
+        query.bind(after, static_cast<std::int64_t>(limit));
+        while (query.step()) {
+            blobs.push_back({query.integer(0), query.integer(1), std::string(query.blob(2))});
+        }
+        return blobs;
+    });
+    if (!read) return read.error();
+    // Decoded while others may read.
+    std::vector<StoredFeatures> found(read->size());
+    std::vector<std::optional<Error>> errors(read->size());
+    parallel_for(read->size(), jobs, [&](std::size_t i) {
+        const Blob& blob = (*read)[i];
+        auto decoded = decode_features(blob.features);
+        if (decoded) {
+            found[i] = {blob.id, blob.changed_at, *std::move(decoded)};
+        } else {
+            errors[i] = impl_->damaged(blob.id, decoded.error());
+        }
+    });
+    for (const auto& error : errors) {
+        if (error) return *error;
+    }
+    return found;
+}
+
+Result<std::vector<StoredFeatures>> Store::without_features(ModelId after, std::size_t limit) {
+    return impl_->locked([&]() -> Result<std::vector<StoredFeatures>> {
+        std::vector<StoredFeatures> models;
+        if (impl_->version < kFirstVersionWithFeatures) return models;
+        Query query(impl_->statement(
+            "SELECT id, revision FROM models WHERE id > ? AND NOT EXISTS (SELECT 1 "
+            "FROM surface_features WHERE model = id) ORDER BY id LIMIT ?"));
+        query.bind(after, static_cast<std::int64_t>(limit));
+        while (query.step()) models.push_back({query.integer(0), query.integer(1), {}});
+        return models;
+    });
+}
+
 Result<std::vector<std::uint8_t>> Store::thumbnail(ModelId id) {
     return impl_->locked([&]() -> Result<std::vector<std::uint8_t>> {
         Query query(impl_->statement("SELECT png FROM thumbnails WHERE model = ?"));

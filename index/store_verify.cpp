@@ -149,6 +149,13 @@ private:
         check_pictures(subject, summary.id);
         check_segments(subject, summary);
         check_frame(subject, summary.id);
+        check_features(subject, summary.id);
+    }
+    void check_features(const std::string& subject, ModelId id) {
+        if (impl_.version < kFirstVersionWithFeatures) return;
+        Query row(impl_.statement("SELECT features FROM surface_features WHERE model = ?"));
+        if (!row.bind(id).step()) return;
+        (void)decoded(subject + ", features", decode_features(row.blob(0)));
     }
     void check_frame(const std::string& subject, ModelId id) {
         if (impl_.version < kFirstVersionWithFrames) return;

@@ -13,7 +13,7 @@ namespace {
 
 /// The blobs of a model, ready to be written.
 struct EncodedModel {
-    std::string signature, descriptor, globals, skeleton, preview, segments, thumbnail;
+    std::string signature, descriptor, globals, skeleton, preview, segments, features, thumbnail;
 };
 
 /// Encodes, and decodes again to be sure that what is written can be read.
@@ -39,6 +39,10 @@ Result<EncodedModel> encode(const NewModel& model) {
         if (model.segments->labels.size() * 3 != model.preview.triangles.size()) {
             wrong = "labels and triangles of the preview differ in number";
         }
+    }
+    if (!model.features.features.points.empty()) {
+        encoded.features = encode_features(model.features);
+        check(decode_features(encoded.features));
     }
     if (!model.thumbnail.empty()) {
         encoded.thumbnail = encode_thumbnail(model.thumbnail);
@@ -73,6 +77,7 @@ public:
     Result<ModelId> operator()(const ForgetFailure& change);
     Result<ModelId> operator()(const PutUpload& change);
     Result<ModelId> operator()(const FailUpload& change);
+    Result<ModelId> operator()(const AddFeatures& change);
 
     Result<void> commit() {
         for (const std::int64_t block : changed_blocks_) {
@@ -176,7 +181,7 @@ ModelId Writer::put_row(const ModelSummary& summary, std::optional<ModelId> id) 
 
 void Writer::remove_parts(ModelId id) {
     for (const char* table : {"signatures", "descriptors", "skeletons", "branches", "previews",
-                              "segments", "thumbnails"}) {
+                              "segments", "surface_features", "thumbnails"}) {
         query("DELETE FROM " + std::string(table) + " WHERE model = ?").bind(id).run();
     }
 }
@@ -197,6 +202,11 @@ void Writer::put_parts(ModelId id, const NewModel& model, const EncodedModel& en
     if (!encoded.segments.empty()) {
         query("INSERT INTO segments (model, segments) VALUES (?, ?)")
             .bind(id, BlobView{encoded.segments})
+            .run();
+    }
+    if (!encoded.features.empty()) {
+        query("INSERT INTO surface_features (model, features) VALUES (?, ?)")
+            .bind(id, BlobView{encoded.features})
             .run();
     }
     if (!encoded.thumbnail.empty()) {
@@ -342,6 +352,17 @@ Result<ModelId> Writer::operator()(const FailUpload& change) {
     const auto finished = finish_upload(impl_, change.upload, {.model = 0, .error = change.error});
     if (!finished) return finished.error();
     return ModelId{0};
+}
+
+Result<ModelId> Writer::operator()(const AddFeatures& change) {
+    const std::string encoded = encode_features(change.features);
+    if (const auto checked = decode_features(encoded); !checked) return checked.error();
+    query(
+        "INSERT INTO surface_features (model, features) SELECT id, ?2 FROM models "
+        "WHERE id = ?1 AND revision = ?3 ON CONFLICT (model) DO NOTHING")
+        .bind(change.id, BlobView{encoded}, change.changed_at)
+        .run();
+    return change.id;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "server/auth.h"
+#include "server/cross_origin.h"
 
 namespace ossuary::server {
 namespace {
@@ -50,6 +51,17 @@ std::string host_name(std::string_view host) {
     return name;
 }
 
+void Application::follow_keys() {
+    for (Key* key : {&service_.admin_key, &service_.read_key}) {
+        const auto other = key->follow();
+        if (!other) {
+            service_.log.warn(other.error().message + "; the key before it stays in force");
+        } else if (*other) {
+            service_.log.info("another " + key->name() + " is in force");
+        }
+    }
+}
+
 bool Application::serves_host(const RequestHead& head) const {
     const auto& allowed = service_.options.allowed_hosts;
     const std::string* host = find_field(head.headers, "Host");
@@ -66,7 +78,8 @@ std::optional<Problem> Application::judge(const RequestHead& head, const Route& 
     if (route.audience == Audience::kAdministrator) {
         if (auto refusal = judge_admin(head, service_.admin_key)) return refusal;
     }
-    if (route.method != "GET" && head.header("Sec-Fetch-Site") == "cross-site") {
+    if (route.method != "GET" && head.header("Sec-Fetch-Site") == "cross-site" &&
+        !comes_from_allowed(head, service_.options.allowed_origins)) {
         return problem(kCrossSiteRequest, "Pages of other sites may not send this.");
     }
     if (route.body == Body::kNone) {
@@ -92,6 +105,19 @@ std::optional<Response> Application::admit(const RequestHead& head, const std::s
             problem(kHostNotServed, "This server does not go by that name."), head.path, id);
         response.close = true;
         return response;
+    }
+    if (head.path.empty()) {  // the base path itself: the gallery's addresses are below it
+        Response response;
+        response.status = 308;
+        response.set_header("Location", service_.options.http.base_path + "/");
+        return response;
+    }
+    follow_keys();
+    // Whoever asks what may be asked has no key yet; whoever watches the server needs none.
+    if (head.method != "OPTIONS" && head.path != "/livez" && head.path != "/readyz") {
+        if (const auto refusal = judge_reader(head, service_.read_key, service_.admin_key)) {
+            return to_response(*refusal, head.path, id);
+        }
     }
     const RouteMatch match = match_route(head.method, head.path);
     if (match.route == nullptr) return without_route(head, id, match.allow);
@@ -147,7 +173,7 @@ Response Application::handle(Request& request) {
     return response;
 }
 
-void Application::complete(Response& response, const std::string& id) {
+void Application::complete(Response& response, const RequestHead& head, const std::string& id) {
     const bool page = response.content_type.starts_with("text/html");
     response.set_header("X-Request-Id", id);
     response.set_header("X-Content-Type-Options", "nosniff");
@@ -155,7 +181,10 @@ void Application::complete(Response& response, const std::string& id) {
     if (response.framed_by.empty()) response.set_header("X-Frame-Options", "DENY");
     response.set_header("Referrer-Policy", "no-referrer");
     response.set_header("Cross-Origin-Opener-Policy", "same-origin");
-    response.set_header("Cross-Origin-Resource-Policy", "same-origin");
+    const auto& origins = service_.options.allowed_origins;
+    response.set_header("Cross-Origin-Resource-Policy",
+                        comes_from_allowed(head, origins) ? "cross-origin" : "same-origin");
+    add_cross_origin_headers(head, origins, response);
     response.set_header("Content-Security-Policy",
                         page ? std::string(kGalleryPolicy) +
                                    (response.framed_by.empty() ? "'none'" : response.framed_by)

@@ -16,7 +16,7 @@ public:
 
     std::optional<Response> admit(const RequestHead& head, const std::string& id) override;
     Response handle(Request& request) override;
-    void complete(Response& response, const std::string& id) override;
+    void complete(Response& response, const RequestHead& head, const std::string& id) override;
     void finished(const Exchange& exchange) override;
     void refused() override;
     [[nodiscard]] bool is_urgent(const RequestHead& head) const override;
@@ -25,6 +25,8 @@ private:
     [[nodiscard]] std::optional<Problem> judge(const RequestHead& head, const Route& route) const;
     [[nodiscard]] Response without_route(const RequestHead& head, const std::string& id,
                                          const std::string& allow) const;
+    /// Takes the keys that are in their files now.
+    void follow_keys();
     [[nodiscard]] bool serves_host(const RequestHead& head) const;
 
     Service& service_;

@@ -21,6 +21,7 @@ struct HttpOptions {
     /// Bytes of all bodies that are held at once; a request that does not fit gets a 503.
     std::size_t max_bodies = 256 << 20;
     HeadLimits head;
+    std::string base_path;  ///< taken off the paths that begin with it; what is left may be empty
     std::chrono::milliseconds head_timeout{10'000};  ///< for the header to arrive
     /// For the body to arrive, then for the answer to be made, then for it to be taken.
     std::chrono::milliseconds request_timeout{60'000};
@@ -59,8 +60,9 @@ public:
     /// read.
     virtual std::optional<Response> admit(const RequestHead& head, const std::string& id) = 0;
     virtual Response handle(Request& request) = 0;
-    /// Adds what every answer carries, also those to requests that were never admitted.
-    virtual void complete(Response& response, const std::string& id) = 0;
+    /// Adds what every answer carries, also those to requests that were never admitted, whose head
+    /// may be empty.
+    virtual void complete(Response& response, const RequestHead& head, const std::string& id) = 0;
     virtual void finished(const Exchange& exchange) = 0;
     /// Somebody was turned away because too many were waiting.
     virtual void refused() = 0;

@@ -13,6 +13,12 @@
 namespace ossuary::server {
 namespace {
 
+/// Leaves of a path what is below a folder; of the folder itself, nothing.
+void take_off(std::string& path, std::string_view folder) {
+    if (folder.empty() || !path.starts_with(folder)) return;
+    if (path.size() == folder.size() || path[folder.size()] == '/') path.erase(0, folder.size());
+}
+
 using enum RequestFault;
 using Io = Connection::Io;
 
@@ -187,6 +193,7 @@ Session::Wants Session::begin_turn(std::string_view head_bytes) {
     RequestHead& known = turn_->request.head = *std::move(head);
     turn_->exchange.method = known.method;
     turn_->exchange.target = known.path;
+    take_off(known.path, shared_.options.base_path);
     turn_->body_pending = known.content_length > 0;
     turn_->request.id = shared_.new_id();
     if (const std::string wished = known.header("X-Request-Id"); is_request_id(wished)) {
@@ -297,7 +304,7 @@ Session::Wants Session::refuse_head(const Problem& why) {
 Session::Wants Session::begin_answer(Response response) {
     Turn& turn = *turn_;
     const RequestHead& head = turn.request.head;
-    shared_.handler.complete(response, turn.request.id);
+    shared_.handler.complete(response, head, turn.request.id);
     if (response.close || !head.keep_alive || turn.body_pending || shared_.ends_connections()) {
         turn.last = true;
     }

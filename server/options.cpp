@@ -19,9 +19,8 @@ struct Seconds {
     long request, drain, model;
 };
 
-/// What may stand in a header among the origins that frames are allowed to: `*`, or a scheme, a
-/// host and perhaps a port.
-std::string is_embedder(const std::string& origin) {
+/// An origin as browsers name it, or `*` for all: a scheme, a host and perhaps a port.
+std::string is_origin(const std::string& origin) {
     const auto rest = [&]() -> std::string_view {
         for (const std::string_view scheme : {"https://", "http://"}) {
             if (origin.starts_with(scheme)) return std::string_view(origin).substr(scheme.size());
@@ -32,6 +31,52 @@ std::string is_embedder(const std::string& origin) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == ':';
     });
     return origin == "*" || sound ? "" : origin + ": expected https://HOST[:PORT], or *";
+}
+
+/// Segments of unreserved characters, which no address has to escape.
+std::string is_base_path(const std::string& path) {
+    const bool sound =
+        path.size() > 1 && path.front() == '/' && path.back() != '/' &&
+        path.find("//") == std::string::npos && path.find("/.") == std::string::npos &&
+        std::all_of(path.begin(), path.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                   std::string_view("-._~/").find(c) != std::string_view::npos;
+        });
+    return sound ? "" : path + ": expected a path like /models, without a slash at its end";
+}
+
+/// Who may do what, and by which addresses.
+void add_access_options(CLI::App& app, ServerOptions& options) {
+    app.add_option("--allow-host", options.allowed_hosts,
+                   "a further name that requests may call this server by, e.g. behind a proxy; "
+                   "several with commas between")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("--allow-embedding", options.embedders,
+                   "an origin (https://example.com) whose pages may show models in a frame, see "
+                   "/embed.html; * for all")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(is_origin);
+    app.add_option("--allow-origin", options.allowed_origins,
+                   "an origin (https://example.com) whose pages may read answers and send "
+                   "searches (CORS); * for all; several with commas between")
+        ->delimiter(',')
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->check(is_origin);
+    app.add_option("--base-path", options.http.base_path,
+                   "what stands before every path, for a proxy that leads a part of a site here: "
+                   "/models")
+        ->check(is_base_path);
+    app.add_flag("--serve-files", options.serve_files,
+                 "let everybody who reaches the server have the indexed files themselves, and what "
+                 "is made from them at full resolution");
+    app.add_option("--admin-key-file", options.admin_key_file,
+                   "file whose first line is the administrator's key (else OSSUARY_ADMIN_KEY); "
+                   "another one holds once it is there");
+    app.add_option("--read-key-file", options.read_key_file,
+                   "file whose first line is the key that readers need (else OSSUARY_READ_KEY; "
+                   "neither: everybody who reaches the server may read)");
 }
 
 void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
@@ -49,17 +94,7 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
         ->capture_default_str();
     app.add_option("--web", options.web,
                    "folder of the gallery's built files (default: web/dist above the program)");
-    app.add_option("--allow-host", options.allowed_hosts,
-                   "a further name that requests may call this server by, e.g. behind a proxy; "
-                   "several with commas between")
-        ->delimiter(',')
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--allow-embedding", options.embedders,
-                   "an origin (https://example.com) whose pages may show models in a frame, see "
-                   "/embed.html; * for all")
-        ->delimiter(',')
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->check(is_embedder);
+    add_access_options(app, options);
     app.add_option("--threads", options.http.threads, "connections served at once")
         ->check(CLI::Range(1, 512))
         ->capture_default_str();
@@ -78,9 +113,6 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
                    "they were last asked for; 0 = none is kept")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 36))
         ->capture_default_str();
-    app.add_flag("--serve-files", options.serve_files,
-                 "let everybody who reaches the server have the indexed files themselves, and what "
-                 "is made from them at full resolution");
     app.add_option("--max-evaluation-models", options.evaluation_models,
                    "of larger collections reports are made by searching with a sample")
         ->capture_default_str();
@@ -98,8 +130,6 @@ void add_options(CLI::App& app, ServerOptions& options, Seconds& seconds) {
                    "seconds that requests under way get to finish after SIGTERM")
         ->check(CLI::Range(0, 3600))
         ->capture_default_str();
-    app.add_option("--admin-key-file", options.admin_key_file,
-                   "file whose first line is the administrator's key (else OSSUARY_ADMIN_KEY)");
     app.add_option("--log-level", options.log.level, "how much to log")
         ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "critical", "off"}))
         ->capture_default_str();

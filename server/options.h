@@ -20,7 +20,8 @@ struct ServerOptions {
     int port = 8080;
     std::filesystem::path web;               ///< empty: looked for beside the program
     std::vector<std::string> allowed_hosts;  ///< besides the loopback names
-    std::filesystem::path admin_key_file;
+    std::filesystem::path admin_key_file, read_key_file;
+    std::vector<std::string> allowed_origins;  ///< whose pages may read answers; `*` for all
     HttpOptions http;
     std::size_t searches = 0;                    ///< at once; 0 = one for each hardware thread
     std::size_t searches_waiting = 32;           ///< more are turned away

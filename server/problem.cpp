@@ -31,6 +31,8 @@ const std::vector<FaultRow>& fault_rows() {
         {kParameterInvalid, {"parameter_invalid", 400, "Invalid parameter"}},
         {kAdminKeyMissing, {"admin_key_missing", 401, "Administrator's key needed"}},
         {kAdminKeyWrong, {"admin_key_wrong", 401, "Administrator's key not accepted"}},
+        {kReadKeyMissing, {"read_key_missing", 401, "Key needed"}},
+        {kReadKeyWrong, {"read_key_wrong", 401, "Key not accepted"}},
         {kAdminDisabled, {"admin_disabled", 403, "Administration is off"}},
         {kCrossSiteRequest, {"cross_site_request", 403, "Request from another site"}},
         {kRouteNotFound, {"route_not_found", 404, "No such resource"}},

@@ -26,6 +26,8 @@ enum class RequestFault {
     kParameterInvalid,
     kAdminKeyMissing,
     kAdminKeyWrong,
+    kReadKeyMissing,
+    kReadKeyWrong,
     kAdminDisabled,
     kCrossSiteRequest,
     kRouteNotFound,

@@ -19,14 +19,16 @@ std::string random_word() {
 
 /// What is there before a server is.
 struct Opened {
-    std::string key;
+    Key admin_key, read_key;
     StaticFiles files;
     index::Searcher searcher;
 };
 
 Result<Opened> open_all(const ServerOptions& options) {
-    auto key = read_admin_key(options.admin_key_file);
-    if (!key) return key.error();
+    auto admin_key = Key::load(options.admin_key_file, "OSSUARY_ADMIN_KEY", "administrator's key");
+    if (!admin_key) return admin_key.error();
+    auto read_key = Key::load(options.read_key_file, "OSSUARY_READ_KEY", "readers' key");
+    if (!read_key) return read_key.error();
     // Before the index: a file that is read while a store has it open costs the store its locks.
     StaticFiles files;
     if (!options.web.empty()) {
@@ -41,7 +43,8 @@ Result<Opened> open_all(const ServerOptions& options) {
     }
     auto searcher = index::Searcher::open(options.index);
     if (!searcher) return searcher.error();
-    return Opened{*std::move(key), std::move(files), *std::move(searcher)};
+    return Opened{*std::move(admin_key), *std::move(read_key), std::move(files),
+                  *std::move(searcher)};
 }
 
 }  // namespace
@@ -57,8 +60,8 @@ struct Server::Parts {
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
           queries({.bytes = options.kept_queries_bytes}),
-          service{options, log,      metrics, searcher,      reader,  slots,   evaluations,
-                  queries, progress, files,   std::string(), nullptr, nullptr, random_word()},
+          service{options, log,   metrics, searcher, reader,  slots,   evaluations,
+                  queries, progress, files, Key(), Key(), nullptr, nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
@@ -93,7 +96,7 @@ Result<void> Server::check(const ServerOptions& options) {
 Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
     auto opened = open_all(options);
     if (!opened) return opened.error();
-    auto& [key, files, searcher] = *opened;
+    auto& [admin_key, read_key, files, searcher] = *opened;
     searcher.store().follow_replacements();
     // Loaded now, so that the first search does not wait for it and a damaged index shows here.
     const auto snapshot = searcher.snapshot();
@@ -104,7 +107,8 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
     log.info(options.index.string() + ": " + std::to_string((*snapshot)->size()) +
              " models, revision " + std::to_string((*snapshot)->revision()));
     if (parts->files.size() == 0) log.warn("no gallery: its built files were not found (--web)");
-    if (!key.empty()) {
+    parts->service.read_key = std::move(read_key);
+    if (admin_key.exists()) {
         auto store = index::Store::open(options.index, index::Access::kReadWrite);
         if (!store) return store.error();
         auto second = index::Store::open(options.index, index::Access::kReadWrite);
@@ -112,7 +116,7 @@ Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
         Jobs::Limits limits;
         limits.waiting.waiting_bytes = options.http.max_bodies;
         limits.model_timeout_seconds = static_cast<double>(options.model_timeout.count());
-        parts->service.admin_key = std::move(key);
+        parts->service.admin_key = std::move(admin_key);
         using When = StatisticsUpdater::When;
         parts->service.statistics =
             std::make_unique<StatisticsUpdater>(*std::move(second), parts->searcher, log);

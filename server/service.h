@@ -6,6 +6,7 @@
 
 #include "index/model_reader.h"
 #include "index/searcher.h"
+#include "server/auth.h"
 #include "server/evaluations.h"
 #include "server/jobs.h"
 #include "server/log.h"
@@ -31,7 +32,8 @@ struct Service {
     Queries& queries;
     Progress& progress;
     const StaticFiles& files;
-    std::string admin_key;  ///< empty where administration is off, then there are neither of these
+    Key admin_key;  ///< without one administration is off, then there are neither of the two below
+    Key read_key;   ///< without one everybody may read
     std::unique_ptr<StatisticsUpdater> statistics;
     std::unique_ptr<Jobs> jobs;
     std::string instance;  ///< differs at each start; part of some entity tags

@@ -26,6 +26,8 @@ function contentSecurityPolicy(): Plugin {
 }
 
 export default defineConfig({
+    // The page is found under any path that a proxy gives it.
+    base: './',
     plugins: [contentSecurityPolicy()],
     server: { proxy: { '/v1': kServer, '/openapi.yaml': kServer } },
     build: {

@@ -53,7 +53,7 @@ NearSearch::NearSearch(const descriptor::ModelDescriptor& query, DescriptorSourc
       collection_(collection),
       normalization_(normalization),
       options_(options),
-      cheap_options_(without_pose(options)) {}
+      sketch_options_(without_pose(options)) {}
 
 Result<void> NearSearch::judge_query(bool exhaustive) {
     if (options_.part || options_.ranker == RankerKind::kChainCode) return {};
@@ -62,12 +62,12 @@ Result<void> NearSearch::judge_query(bool exhaustive) {
         scale = *own;
     } else if (2 * collection_.size() >= normalization_.collection_size()) {
         std::vector<std::uint32_t> indices;
-        for (const std::size_t i : reference_models(collection_.size())) {
+        for (const std::size_t i : judging_models(collection_.size())) {
             indices.push_back(static_cast<std::uint32_t>(i));
         }
         const auto references = collection_.fetch(indices);
         if (!references) return references.error();
-        const RankOptions& options = exhaustive ? options_ : cheap_options_;
+        const RankOptions& options = exhaustive ? options_ : sketch_options_;
         std::vector<ComponentValues> row(references->size());
         for_each_with_meter(row.size(), options, [&](PairMeter& meter, std::size_t i) {
             if ((*references)[i]) row[i] = meter.components(query_, *(*references)[i]);
@@ -79,7 +79,7 @@ Result<void> NearSearch::judge_query(bool exhaustive) {
         scale = scale_of_row(there, normalization_.pooled());
     }
     side_ = fusion_side(query_, scale, options_);
-    cheap_side_ = without_tree_edit(fusion_side(query_, scale, cheap_options_));
+    sketch_side_ = without_tree_edit(fusion_side(query_, scale, sketch_options_));
     return {};
 }
 
@@ -93,51 +93,35 @@ void NearSearch::sketch(std::vector<RankedModel>& models, const Preselection& pr
             const ModelScale* own = normalization_.find(row.key);
             const FusionSide side = without_tree_edit(
                 fusion_side(static_cast<double>(row.information),
-                            own != nullptr ? *own : normalization_.pooled(), cheap_options_));
+                            own != nullptr ? *own : normalization_.pooled(), sketch_options_));
             models[i].distance = fused_distance(
-                sketch_components(query, row.sketch, cheap_options_), cheap_side_, side);
+                sketch_components(query, row.sketch, sketch_options_), sketch_side_, side);
         }
     });
 }
 
-FusionSide NearSearch::side_of(const descriptor::ModelDescriptor& model,
-                               const RankOptions& options) const {
-    return fusion_side(model, normalization_.scale(model), options);
+FusionSide NearSearch::side_of(const descriptor::ModelDescriptor& model) const {
+    return fusion_side(model, normalization_.scale(model), options_);
 }
 
 double NearSearch::whole_distance(PairMeter& meter,
                                   const descriptor::ModelDescriptor& model) const {
     if (options_.ranker == RankerKind::kChainCode) return meter.chain_code(query_, model);
-    return fused_distance(meter.components(query_, model), side_, side_of(model, options_));
-}
-
-double NearSearch::cheap_distance(PairMeter& meter,
-                                  const descriptor::ModelDescriptor& model) const {
-    return fused_distance(meter.cheap_components(query_, model), cheap_side_,
-                          without_tree_edit(side_of(model, cheap_options_)));
-}
-
-Result<void> NearSearch::measure_cheaply(std::vector<RankedModel>& models) {
-    return measure_by(models, cheap_options_, &NearSearch::cheap_distance);
+    return fused_distance(meter.components(query_, model), side_, side_of(model));
 }
 
 Result<void> NearSearch::measure(std::vector<RankedModel>& models) {
     if (options_.part) return measure_parts(models);
-    return measure_by(models, options_, &NearSearch::whole_distance);
-}
-
-Result<void> NearSearch::measure_by(std::vector<RankedModel>& models, const RankOptions& options,
-                                    Measure distance) {
     std::vector<bool> gone(models.size(), false);
     for (std::size_t begin = 0; begin < models.size(); begin += kModelsInUse) {
-        if (options.stop.stop_requested()) return {};
+        if (options_.stop.stop_requested()) return {};
         const std::span<RankedModel> block =
             std::span(models).subspan(begin, std::min(kModelsInUse, models.size() - begin));
         const auto descriptors = collection_.fetch(indices_of(block));
         if (!descriptors) return descriptors.error();
-        for_each_with_meter(block.size(), options, [&](PairMeter& meter, std::size_t i) {
+        for_each_with_meter(block.size(), options_, [&](PairMeter& meter, std::size_t i) {
             const SharedDescriptor& model = (*descriptors)[i];
-            if (model) block[i].distance = (this->*distance)(meter, *model);
+            if (model) block[i].distance = whole_distance(meter, *model);
         });
         for (std::size_t i = 0; i < block.size(); ++i) gone[begin + i] = !(*descriptors)[i];
     }
@@ -183,13 +167,13 @@ Result<void> NearSearch::rerank_models(std::vector<RankedModel>& models) {
         const SharedDescriptor& own = (*descriptors)[i];
         if (!own) return row;
         const bool chain_code = options_.ranker == RankerKind::kChainCode;
-        const FusionSide side = chain_code ? FusionSide() : side_of(*own, options_);
+        const FusionSide side = chain_code ? FusionSide() : side_of(*own);
         for (std::size_t k = 0; k < others.size() && !options_.stop.stop_requested(); ++k) {
             const SharedDescriptor& other = (*descriptors)[others[k]];
             if (!other) continue;
-            row[k] = chain_code ? meter.chain_code(*own, *other)
-                                : fused_distance(meter.components(*own, *other), side,
-                                                 side_of(*other, options_));
+            row[k] = chain_code
+                         ? meter.chain_code(*own, *other)
+                         : fused_distance(meter.components(*own, *other), side, side_of(*other));
         }
         return row;
     };

@@ -13,8 +13,9 @@
 
 namespace ossuary::ranking {
 
-/// One query's distances to models of a collection, by all components or by the cheap ones alone;
-/// what the stages of a search share. Models that are not there any more are taken from the lists.
+/// One query's distances to models of a collection, by sketches or the
+/// ranker's own; what the stages of a search share. Models that are not there any more are taken
+/// from the lists.
 class NearSearch {
 public:
     NearSearch(const descriptor::ModelDescriptor& query, DescriptorSource& collection,
@@ -25,35 +26,27 @@ public:
     /// @param exhaustive  the references are measured as everything else will be
     Result<void> judge_query(bool exhaustive);
 
-    /// By sketches alone: about what measure_cheaply gives.
+    /// By sketches alone: about the ranker's distances without the tree edit distance, for which
+    /// the pairs of the skeleton's points stand in.
     void sketch(std::vector<RankedModel>& models, const Preselection& preselection) const;
-    /// Without the tree edit distance, for which the pairs of the skeleton's points stand in.
-    Result<void> measure_cheaply(std::vector<RankedModel>& models);
-    /// The ranker's own distances.
+    /// The ranker's own distances. Fetches and measures by blocks, so that few descriptors are in
+    /// use at a time.
     Result<void> measure(std::vector<RankedModel>& models);
     /// Re-ranks models that are sorted by distance.
     Result<void> rerank_models(std::vector<RankedModel>& models);
 
 private:
-    using Measure = double (NearSearch::*)(PairMeter& meter,
-                                           const descriptor::ModelDescriptor& model) const;
     [[nodiscard]] double whole_distance(PairMeter& meter,
                                         const descriptor::ModelDescriptor& model) const;
-    [[nodiscard]] double cheap_distance(PairMeter& meter,
-                                        const descriptor::ModelDescriptor& model) const;
-    [[nodiscard]] FusionSide side_of(const descriptor::ModelDescriptor& model,
-                                     const RankOptions& options) const;
-    /// Fetches and measures by blocks, so that few descriptors are in use at a time.
-    Result<void> measure_by(std::vector<RankedModel>& models, const RankOptions& options,
-                            Measure measure);
+    [[nodiscard]] FusionSide side_of(const descriptor::ModelDescriptor& model) const;
     Result<void> measure_parts(std::vector<RankedModel>& models);
 
     const descriptor::ModelDescriptor& query_;
     DescriptorSource& collection_;
     const Normalization& normalization_;
     const RankOptions options_;
-    const RankOptions cheap_options_;
-    FusionSide side_, cheap_side_;
+    const RankOptions sketch_options_;
+    FusionSide side_, sketch_side_;
 };
 
 }  // namespace ossuary::ranking

@@ -62,8 +62,12 @@ Result<CollectionStatistics> collection_statistics(DescriptorSource& collection,
 /// evenly spread over it, at most 500.
 [[nodiscard]] std::vector<std::size_t> reference_models(std::size_t count);
 
-/// The scale of a query that the statistics do not know, from its distances to the reference
-/// models; leans on the pooled scale where there are few.
+/// Of those, the models that one query is judged by which the statistics do not know: fewer where
+/// not every model is measured anyway.
+[[nodiscard]] std::vector<std::size_t> judging_models(std::size_t count);
+
+/// The scale of a query that the statistics do not know, from its distances to the judging models;
+/// leans on the pooled scale where there are few.
 [[nodiscard]] ModelScale scale_of_row(const std::vector<ComponentValues>& distances,
                                       const ModelScale& pooled);
 

@@ -88,8 +88,6 @@ Result<std::vector<RankedModel>> measure_nearest(NearSearch& search,
     }
     search.sketch(models, preselection);
     keep_nearest(models, nearest.by_sketch);
-    if (auto done = search.measure_cheaply(models); !done) return done.error();
-    keep_nearest(models, nearest.by_globals);
     if (auto done = search.measure(models); !done) return done.error();
     if (options.rerank) {
         keep_nearest(models, models.size());
@@ -157,7 +155,7 @@ namespace {
 constexpr std::size_t kFinalistsForOne = 4;
 
 // Of the width of stages see docs/performance.md.
-constexpr std::size_t kBySignature = 8000, kBySketch = 250, kByGlobals = 120;
+constexpr std::size_t kBySignature = 8000, kBySketch = 160;
 /// In larger collections, a share of the models.
 constexpr std::size_t kShareBySignature = 25;
 
@@ -169,9 +167,7 @@ NearestOptions with_widths(NearestOptions nearest, std::size_t models) {
         nearest.by_signature = std::max(kBySignature, models / kShareBySignature);
     }
     if (nearest.by_sketch == 0) nearest.by_sketch = kBySketch;
-    if (nearest.by_globals == 0) nearest.by_globals = kByGlobals;
-    nearest.by_globals = std::max(nearest.by_globals, finalists);
-    nearest.by_sketch = std::max(nearest.by_sketch, 2 * finalists);
+    nearest.by_sketch = std::max(nearest.by_sketch, finalists);
     nearest.by_signature = std::max(nearest.by_signature, 8 * finalists);
     return nearest;
 }

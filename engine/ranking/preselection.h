@@ -59,8 +59,7 @@ struct NearestOptions {
     std::size_t exhaustive_below = 2000;
     // Models that pass each stage; 0 = as many as `with_widths` says.
     std::size_t by_signature = 0;  ///< of the collection, by signatures
-    std::size_t by_sketch = 0;     ///< of those, by sketches
-    std::size_t by_globals = 0;    ///< of those, by global descriptors: the finalists
+    std::size_t by_sketch = 0;     ///< of those, by sketches: the finalists
     /// Indices of the models that may be hits, ascending; all without. The scan and what follows
     /// look at no other, and each model is at the same distance as without it, except with
     /// `rerank`, where all places are found first.
@@ -72,12 +71,12 @@ struct NearestOptions {
 [[nodiscard]] NearestOptions with_widths(NearestOptions nearest, std::size_t models);
 
 /// The nearest models of a large collection, nearest first, equal distances by index: a scan of all
-/// signatures, the sketches and then the global descriptors of what is left, then the ranker's own
-/// distance of the finalists, bit by bit that of rank_distances. Where many models are wanted there
-/// are four finalists for each at least. The thesis' `chain-code`, parts, more than a quarter of a
-/// collection wanted, and small collections are measured exhaustively, by blocks of models. With
-/// `rerank` the nearest 200 finalists change places among themselves. Models that are not there any
-/// more are no hits. Errors: cancelled, those of the source.
+/// signatures, the sketches of what is left, then the ranker's own distance of the finalists, bit
+/// by bit that of rank_distances. Where many models are wanted there are four finalists for each at
+/// least. The thesis' `chain-code`, parts, more than a quarter of a collection wanted, and small
+/// collections are measured exhaustively, by blocks of models. With `rerank` the nearest 200
+/// finalists change places among themselves. Models that are not there any more are no hits.
+/// Errors: cancelled, those of the source.
 /// @param preselection  of the source's collection
 Result<std::vector<RankedModel>> nearest_models(const descriptor::ModelDescriptor& query,
                                                 DescriptorSource& collection,

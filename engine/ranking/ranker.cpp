@@ -40,7 +40,7 @@ FusionSide query_side(const descriptor::ModelDescriptor& query,
         return fusion_side(query, normalization.pooled(), options);
     }
     std::vector<ComponentValues> references;
-    for (const std::size_t i : reference_models(row.size())) references.push_back(row[i]);
+    for (const std::size_t i : judging_models(row.size())) references.push_back(row[i]);
     return fusion_side(query, scale_of_row(references, normalization.pooled()), options);
 }
 

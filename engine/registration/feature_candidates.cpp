@@ -55,8 +55,12 @@ std::vector<PointMatch> matches_of(const LocalFeatures& piece, const LocalFeatur
     return matches;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+/// Whether two angles, told by their cosines, differ by less than kAngle.
+bool angles_agree(double a, double b) {
+    // Cosines differ no more than angles do, and arcs take their time.
+    if (std::abs(a - b) > kAngle) return false;
+    return std::abs(std::acos(std::clamp(a, -1.0, 1.0)) - std::acos(std::clamp(b, -1.0, 1.0))) <
+           kAngle;
 }
 
 /// Whether two pairs of oriented points may be one motion's, and how large it then makes things.
@@ -81,9 +85,8 @@ bool agree(const LocalFeatures& piece, const LocalFeatures& whole, const PointMa
     const Vec3& nb = piece.normals[b.piece];
     const Vec3& ma = whole.normals[a.whole];
     const Vec3& mb = whole.normals[b.whole];
-    return std::abs(angle_between(na, u) - angle_between(ma, v)) < kAngle &&
-           std::abs(angle_between(nb, u) - angle_between(mb, v)) < kAngle &&
-           std::abs(angle_between(na, nb) - angle_between(ma, mb)) < kAngle;
+    return angles_agree(na.dot(u), ma.dot(v)) && angles_agree(nb.dot(u), mb.dot(v)) &&
+           angles_agree(na.dot(nb), ma.dot(mb));
 }
 
 Similarity motion_of(const LocalFeatures& piece, const LocalFeatures& whole, const PointMatch& a,

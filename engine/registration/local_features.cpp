@@ -1,7 +1,9 @@
 #include "engine/registration/local_features.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <span>
@@ -13,6 +15,16 @@ namespace {
 constexpr double kByteOfOne = 110.0;  ///< the byte of a flat shell's whole area
 constexpr auto kHeights = LocalFeature::kHeights;
 constexpr auto kTurns = LocalFeature::kTurns;
+
+/// All bits where what a piece has more than the whole counts more than what it has less.
+constexpr std::array<std::int16_t, LocalFeature::kBytes> kCountsExcess = [] {
+    std::array<std::int16_t, LocalFeature::kBytes> masks{};
+    for (std::size_t i = 0; i < LocalFeature::kBytes; ++i) {
+        masks[i] =
+            i % LocalFeature::kPerShell < kHeights + kTurns ? std::int16_t{-1} : std::int16_t{0};
+    }
+    return masks;
+}();
 
 std::vector<std::uint32_t> spread(const std::vector<Vec3>& points, std::size_t count) {
     std::vector<std::uint32_t> chosen;
@@ -143,6 +155,16 @@ std::vector<Neighbor> neighbors_of(const SurfacePoints& surface,
 
 }  // namespace
 
+LocalFeature coarse(const LocalFeature& feature) {
+    LocalFeature other;
+    for (std::size_t i = 0; i < LocalFeature::kBytes; ++i) {
+        const int level = (feature.values[i] + LocalFeature::kStep / 2) / LocalFeature::kStep;
+        other.values[i] = static_cast<std::uint8_t>(std::min<int>(level, LocalFeature::kMostLevel) *
+                                                    LocalFeature::kStep);
+    }
+    return other;
+}
+
 LocalFeature turned_over(const LocalFeature& feature) {
     LocalFeature other = feature;
     for (std::size_t shell = 0; shell < LocalFeature::kShells; ++shell) {
@@ -163,17 +185,15 @@ int squared_distance(const LocalFeature& a, const LocalFeature& b) {
 }
 
 int piece_distance(const LocalFeature& piece, const LocalFeature& whole) {
+    // Without branches, so that it is done for many values at once.
     int more = 0;
     int all = 0;
-    for (std::size_t shell = 0; shell < LocalFeature::kShells; ++shell) {
-        const std::size_t first = shell * LocalFeature::kPerShell;
-        for (std::size_t i = first; i < first + LocalFeature::kPerShell; ++i) {
-            const int difference =
-                static_cast<int>(piece.values[i]) - static_cast<int>(whole.values[i]);
-            const int excess = i < first + kHeights + kTurns ? std::max(difference, 0) : 0;
-            more += excess * excess;
-            all += difference * difference;
-        }
+    for (std::size_t i = 0; i < LocalFeature::kBytes; ++i) {
+        const auto difference = static_cast<std::int16_t>(piece.values[i] - whole.values[i]);
+        const auto excess =
+            static_cast<std::int16_t>(std::max<std::int16_t>(difference, 0) & kCountsExcess[i]);
+        more += excess * excess;
+        all += difference * difference;
     }
     return more + (all - more) / 5;
 }

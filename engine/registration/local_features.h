@@ -22,6 +22,10 @@ struct LocalFeature {
     static constexpr std::size_t kPerShell = kHeights + kTurns + kHarmonics;
     static constexpr std::size_t kBytes = kShells * kPerShell;
 
+    /// Coarse values are multiples of kStep, at most kStep * kMostLevel: half a byte each.
+    static constexpr std::uint8_t kStep = 9;
+    static constexpr std::uint8_t kMostLevel = 15;
+
     /// Roots of shares of a flat shell's area, so that rare and common count alike.
     std::array<std::uint8_t, kBytes> values{};
 };
@@ -35,6 +39,9 @@ struct LocalFeatures {
         return features[point * radii.size() + radius];
     }
 };
+
+/// With coarse values, as they are kept.
+[[nodiscard]] LocalFeature coarse(const LocalFeature& feature);
 
 /// That of the surface seen from the other side.
 [[nodiscard]] LocalFeature turned_over(const LocalFeature& feature);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/mesh/nearest_triangle.h"
 #include "engine/registration/closest_points.h"
 #include "engine/registration/feature_candidates.h"
 
@@ -13,7 +14,7 @@ namespace ossuary::registration {
 namespace {
 
 constexpr std::size_t kWholePoints = 8192;
-constexpr std::size_t kWholeFeatures = 200;
+constexpr std::size_t kWholeFeatures = 128;
 constexpr std::size_t kPiecePoints = 4096;
 constexpr std::size_t kPieceFeatures = 48;
 /// Of a sample that is spread the first are, too: so many of them tell what to look at.
@@ -23,13 +24,16 @@ constexpr std::size_t kLikenessFirstRadius = 1;
 constexpr std::size_t kChecked = 256;
 constexpr std::size_t kRefinedOfPiece = 160;
 constexpr std::size_t kRough = 64;
-constexpr std::size_t kCandidates = 8;
+constexpr std::size_t kCandidates = 10;
+constexpr std::size_t kMatches = 7;
 constexpr std::size_t kPlacesRefined = 2;
 constexpr std::size_t kSurfacePoints = 4096;
+constexpr std::size_t kSettledOfPiece = 600;
+constexpr double kSettledOnSurface = 0.02;  ///< as kOnSurface, of settled places
 /// Radii over the root of the area: a whole's lie as near to each other as features that were
 /// taken a little too large or small still resemble each other.
-constexpr double kWholeRadii[] = {0.08, 0.101, 0.127, 0.16, 0.2, 0.254};
-constexpr double kPieceRadii[] = {0.19, 0.3, 0.48};
+constexpr double kWholeRadii[] = {0.09, 0.15};
+constexpr double kPieceRadii[] = {0.19, 0.24, 0.3, 0.38, 0.48};
 constexpr double kStepsOfDistance = 50.0;
 constexpr std::size_t kLeastOthers = 3;
 constexpr double kLeastShare = 0.03;
@@ -42,6 +46,15 @@ std::vector<double> radii_of(const double (&ratios)[N], double area) {
     std::vector<double> radii;
     for (const double ratio : ratios) radii.push_back(ratio * std::sqrt(area));
     return radii;
+}
+
+/// Without the farthest fifth.
+double mean_of_nearest(std::vector<double>& distances) {
+    std::sort(distances.begin(), distances.end());
+    const std::size_t counted = distances.size() - distances.size() / kLeftOut;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < counted; ++i) sum += distances[i];
+    return sum / static_cast<double>(counted);
 }
 
 struct Fit {
@@ -71,12 +84,16 @@ Fit fit_of(const SurfacePoints& points, const WholeSurface& whole, const Similar
         distances.push_back(distance / most);
         if (distance < 0.5 * most) ++near;
     }
-    std::sort(distances.begin(), distances.end());
-    const std::size_t counted = distances.size() - distances.size() / kLeftOut;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < counted; ++i) sum += distances[i];
-    return {sum / static_cast<double>(counted),
-            static_cast<double>(near) / static_cast<double>(distances.size())};
+    const double distance = mean_of_nearest(distances);
+    return {distance, static_cast<double>(near) / static_cast<double>(distances.size())};
+}
+
+double distance_from(const mesh::TriangleMesh& mesh, const mesh::NearestTriangle& triangles,
+                     const Vec3& point) {
+    const auto& corners = mesh.triangles[triangles.of(point, Vec3::Zero())];
+    const Vec3 nearest = mesh::nearest_point_of(
+        {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]}, point);
+    return (nearest - point).norm();
 }
 
 }  // namespace
@@ -84,9 +101,11 @@ Fit fit_of(const SurfacePoints& points, const WholeSurface& whole, const Similar
 WholeFeatures whole_features(const mesh::TriangleMesh& mesh) {
     const SurfacePoints surface = surface_points(mesh, {.count = kWholePoints});
     if (surface.points.empty()) return {};
-    return {local_features(surface, NearestPoint(surface.points), kWholeFeatures,
-                           radii_of(kWholeRadii, surface.area)),
-            surface.area};
+    WholeFeatures whole{local_features(surface, NearestPoint(surface.points), kWholeFeatures,
+                                       radii_of(kWholeRadii, surface.area)),
+                        surface.area};
+    for (LocalFeature& feature : whole.features.features) feature = coarse(feature);
+    return whole;
 }
 
 PieceQuery piece_query(const mesh::TriangleMesh& mesh) {
@@ -149,6 +168,7 @@ std::optional<PiecePlacement> place_piece(const PieceQuery& piece, const WholeFe
     FeatureCandidateOptions options;
     options.kind.scale = true;
     options.most = kCandidates;
+    options.matches = kMatches;
     options.least_scale = scale * std::sqrt(kLeastShare);
     options.most_scale = scale * std::sqrt(kMostShare);
     const auto candidates =
@@ -174,6 +194,36 @@ std::optional<PiecePlacement> place_piece(const PieceQuery& piece, const WholeFe
         const Fit fit = fit_of(piece.checked, surface, placement);
         if (!best || fit.distance < best->distance) {
             best = PiecePlacement{placement, fit.explained, fit.distance};
+        }
+    }
+    return best;
+}
+
+PiecePlacement settle_piece(const PieceQuery& piece, const mesh::TriangleMesh& mesh,
+                            const PiecePlacement& placed) {
+    const SurfacePoints points = thinned_out(piece.surface, kSettledOfPiece);
+    const SurfacePoints whole = surface_points(mesh, {.count = 2 * kSurfacePoints});
+    PiecePlacement best = placed;
+    best.distance = 1.0;
+    const mesh::NearestTriangle triangles(mesh);
+    const Refined refined = refine(points, whole, NearestPoint(whole.points), placed.placement,
+                                   {.scale = true, .iterations = 30, .reach = 0.02});
+    for (const Similarity& placement : {placed.placement, refined.placement}) {
+        const double change = placement.scale / placed.placement.scale;
+        if (change < 0.8 || change > 1.25) continue;
+        const double most = kSettledOnSurface * points.diagonal * placement.scale;
+        std::vector<double> distances;
+        std::size_t near = 0;
+        for (const Vec3& point : points.points) {
+            const Vec3 moved = placement.point(point);
+            const double distance = std::min(most, distance_from(mesh, triangles, moved));
+            distances.push_back(distance / most);
+            if (distance < 0.5 * most) ++near;
+        }
+        const double distance = mean_of_nearest(distances);
+        if (distance < best.distance) {
+            best = {placement, static_cast<double>(near) / static_cast<double>(distances.size()),
+                    distance};
         }
     }
     return best;

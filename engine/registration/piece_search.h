@@ -73,4 +73,11 @@ struct PiecePlacement {
                                                         const WholeFeatures& whole,
                                                         const WholeSurface& surface);
 
+/// A place, refined with more of the piece and measured by the whole's exact surface: tells apart
+/// wholes in which the piece lies nearly as well. `distance` is then comparable only with those of
+/// other settled places. The place as it was where refining leads too far away.
+/// @param mesh  of the whole, with area
+[[nodiscard]] PiecePlacement settle_piece(const PieceQuery& piece, const mesh::TriangleMesh& mesh,
+                                          const PiecePlacement& placed);
+
 }  // namespace ossuary::registration

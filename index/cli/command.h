@@ -35,6 +35,7 @@ void print_json(const nlohmann::json& document);
 
 // One function a command, each in its own file.
 void add_index(CLI::App& app, Session& session);
+void add_watch(CLI::App& app, Session& session);
 void add_search(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 void add_evaluate(CLI::App& app, Session& session);

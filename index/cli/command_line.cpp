@@ -30,9 +30,9 @@ int run_command_line(int argc, char** argv) {
     Session session;
     const InterruptGuard interrupt;
     session.stop = interrupt.stop_token();
-    for (const auto add : {add_index, add_search, add_compare, add_evaluate, add_skeleton, add_thin,
-                           add_segment, add_evaluate_segmentation, add_models, add_show, add_remove,
-                           add_up, add_verify, add_export}) {
+    for (const auto add : {add_index, add_watch, add_search, add_compare, add_evaluate,
+                           add_skeleton, add_thin, add_segment, add_evaluate_segmentation,
+                           add_models, add_show, add_remove, add_up, add_verify, add_export}) {
         add(app, session);
     }
     try {

@@ -33,7 +33,7 @@ std::string without_others(const ZipArchive& archive, std::string_view name,
     std::string kept;
     std::size_t from = 0;
     for (std::size_t at = document.find(kTag); at != std::string_view::npos;
-         at = document.find(kTag, at + 1)) {
+         at = document.find(kTag, std::max(at + 1, from))) {
         const std::size_t end = document.find('>', at);
         if (end == std::string_view::npos) break;
         const std::string_view tag = document.substr(at, end - at + 1);

@@ -89,7 +89,8 @@ struct Pixel {
 
 /// Looks at each pixel's middle first, then at more points of those where that is not enough: half
 /// the time of nine points of every pixel, with sixteen where they count. What is seen there is
-/// found triangle by triangle: a tree of rays (Embree) over a model's triangles cost 40 of 56 ms.
+/// found triangle by triangle: rays through a tree of the triangles (Embree) took pictures 35 ms of
+/// processor time instead of 25 (every eighth of 380 models).
 class Painter {
 public:
     Painter(const mesh::WeldResult& welded, const std::vector<Vec3f>& vertices,

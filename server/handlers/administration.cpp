@@ -1,3 +1,4 @@
+#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "engine/voxel/read_model.h"
@@ -54,6 +55,7 @@ Checked<Response> list_failures(Service& service, const Request& request) {
     for (index::Failure failure : *failures) {
         // Messages name the file as the indexer did: whole.
         const std::string relative = roots.relative(failure.path);
+        assert(!failure.path.empty());
         for (auto at = failure.message.find(failure.path); at != std::string::npos;
              at = failure.message.find(failure.path, at + relative.size())) {
             failure.message.replace(at, failure.path.size(), relative);
@@ -91,7 +93,8 @@ Checked<Response> add_model(Service& service, const Request& request) {
                            class_name == nullptr ? std::string() : *class_name, reading.inside});
     if (!job) return fail(job.error());
     if (!*job) return fail(RequestFault::kOverloaded, "Too many models wait to be indexed.");
-    const std::string location = "/v1/jobs/" + std::to_string(**job);
+    const std::string location =
+        service.options.http.base_path + "/v1/jobs/" + std::to_string(**job);
     Response response = json_answer({{"job", location}});
     response.status = 202;
     response.set_header("Location", location);

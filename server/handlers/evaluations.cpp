@@ -28,9 +28,10 @@ Checked<Evaluations::Shared> asked_evaluation(Service& service, const Request& r
     return **evaluation;
 }
 
-nlohmann::json entry(ranking::RankerKind ranker, bool rerank, const Evaluable& collection,
-                     nlohmann::json computed_at) {
-    const std::string base = "/v1/evaluations/" + std::string(to_string(ranker));
+nlohmann::json entry(const Service& service, ranking::RankerKind ranker, bool rerank,
+                     const Evaluable& collection, nlohmann::json computed_at) {
+    const std::string base =
+        service.options.http.base_path + "/v1/evaluations/" + std::string(to_string(ranker));
     const std::string query = rerank ? "?rerank=true" : "";
     return {
         {"ranker", to_string(ranker)},
@@ -73,9 +74,9 @@ Checked<Response> list_evaluations(Service& service, const Request& request) {
                 }
             }
             if (!computed_at.empty()) {
-                list.push_back(entry(ranker, rerank, collection, computed_at));
+                list.push_back(entry(service, ranker, rerank, collection, computed_at));
             } else if (possible && !rerank) {
-                list.push_back(entry(ranker, rerank, collection, nullptr));
+                list.push_back(entry(service, ranker, rerank, collection, nullptr));
             }
         }
     }

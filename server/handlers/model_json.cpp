@@ -20,7 +20,8 @@ index::ModelRoots roots_of(Service& service) {
 
 nlohmann::json model_json(const Service& service, const index::ModelRoots& roots,
                           const index::ModelSummary& model) {
-    const std::string base = "/v1/models/" + std::to_string(model.id);
+    const std::string base =
+        service.options.http.base_path + "/v1/models/" + std::to_string(model.id);
     nlohmann::json json = index::to_json(model);
     json["path"] = roots.relative(model.path);
     json["links"] = {{"mesh", base + "/mesh"},
@@ -34,7 +35,8 @@ nlohmann::json model_json(const Service& service, const index::ModelRoots& roots
         json["links"]["stl"] = base + "/mesh.stl";
     }
     if (!service.options.embedders.empty()) {
-        json["links"]["embed"] = "/embed.html#/models/" + std::to_string(model.id);
+        json["links"]["embed"] =
+            service.options.http.base_path + "/embed.html#/models/" + std::to_string(model.id);
     }
     return json;
 }
@@ -50,8 +52,9 @@ nlohmann::json search_json(Service& service, const index::SearchResult& result,
         // Which way a model stands may have changed without a new revision; it may be gone, too.
         const auto model = store ? (*store)->model(hit["id"].get<index::ModelId>())
                                  : Result<index::ModelSummary>(store.error());
-        const std::string picture =
-            "/v1/models/" + std::to_string(hit["id"].get<index::ModelId>()) + "/thumbnail.png";
+        const std::string picture = service.options.http.base_path + "/v1/models/" +
+                                    std::to_string(hit["id"].get<index::ModelId>()) +
+                                    "/thumbnail.png";
         hit["thumbnail"] = model ? picture + "?v=" + thumbnail_version(*model) : picture;
     }
     return json;

@@ -30,8 +30,8 @@ Checked<Kept> only_query(Service& service, const Request& request) {
     return kept_query(service, request);
 }
 
-nlohmann::json links(const std::string& token) {
-    const std::string base = "/v1/queries/" + token;
+nlohmann::json links(const Service& service, const std::string& token) {
+    const std::string base = service.options.http.base_path + "/v1/queries/" + token;
     return {{"similar", base + "/similar"},   {"mesh", base + "/mesh"},
             {"skeleton", base + "/skeleton"}, {"segments", base + "/segments"},
             {"rig", base + "/rig.glb"},       {"stl", base + "/mesh.stl"}};
@@ -64,7 +64,7 @@ Checked<Response> get_query(Service& service, const Request& request) {
                                     {"faces", mesh.face_count},
                                     {"bounds", index::to_json((*query)->bounds())},
                                     {"warnings", index::to_json((*query)->warnings())},
-                                    {"links", links(request.capture)}}));
+                                    {"links", links(service, request.capture)}}));
 }
 
 Checked<Response> query_similar(Service& service, const Request& request) {
@@ -80,7 +80,8 @@ Checked<Response> query_similar(Service& service, const Request& request) {
 
     const auto slot = wait_for_slot(service, request);
     if (!slot) return tl::unexpected<Problem>(slot.error());
-    const auto result = service.searcher.nearest((*query)->described(), options, request.stop);
+    const auto result = service.searcher.nearest((*query)->described(), options, request.stop,
+                                                 options.rank.part ? &(*query)->piece() : nullptr);
     if (!result) return fail(result.error());
     service.metrics.search(result->stages_ms);
     const auto up = (*query)->up(request.stop);

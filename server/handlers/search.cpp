@@ -88,7 +88,9 @@ Checked<Response> search(Service& service, const Request& request) {
     std::optional<index::Up> up = model->frame().up;
     Result<ShownQuery> shown = ShownQuery{};
     const auto rank = [&] {
-        result = service.searcher.nearest(model->described(), parameters.options, request.stop);
+        const bool part = parameters.options.rank.part;
+        result = service.searcher.nearest(model->described(), parameters.options, request.stop,
+                                          part ? &model->piece() : nullptr);
     };
     const auto show = [&] { shown = show_query(*model, request.stop); };
     parallel_for(parameters.with_mesh ? 2 : 1, 2, [&](std::size_t i) { i == 0 ? rank() : show(); });

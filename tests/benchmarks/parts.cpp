@@ -20,6 +20,7 @@
 #include "engine/ranking/ranker.h"
 #include "index/evaluation.h"
 #include "index/searcher.h"
+#include "tests/benchmarks/cut_pieces.h"
 #include "tests/support/benchmark_data.h"
 
 namespace {
@@ -42,26 +43,6 @@ double area_of(const ossuary::mesh::TriangleMesh& mesh, std::size_t face) {
     const auto& [a, b, c] = mesh.triangles[face];
     const Vec3 u = mesh.vertices[b] - mesh.vertices[a];
     return 0.5 * u.cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-}
-
-/// The faces of `mesh` in `kept`, as a mesh of their own with a hole where they were cut off.
-ossuary::mesh::TriangleMesh submesh(const ossuary::mesh::TriangleMesh& mesh,
-                                    const std::vector<std::size_t>& kept) {
-    ossuary::mesh::TriangleMesh part;
-    std::map<std::uint32_t, std::uint32_t> place;
-    for (const std::size_t face : kept) {
-        std::array<std::uint32_t, 3> triangle{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t vertex = mesh.triangles[face][k];
-            const auto [found, is_new] =
-                place.emplace(vertex, static_cast<std::uint32_t>(part.vertices.size()));
-            if (is_new) part.vertices.push_back(mesh.vertices[vertex]);
-            triangle[k] = found->second;
-        }
-        part.triangles.push_back(triangle);
-    }
-    part.face_count = static_cast<std::uint32_t>(part.triangles.size());
-    return part;
 }
 
 /// What hangs together once the part with the greatest area is gone, the largest limbs first.
@@ -102,7 +83,7 @@ std::vector<ossuary::mesh::TriangleMesh> limbs_of(
                      [](const Limb& x, const Limb& y) { return x.area > y.area; });
     std::vector<ossuary::mesh::TriangleMesh> meshes;
     for (std::size_t i = 0; i < std::min(kLimbs, sorted.size()); ++i) {
-        meshes.push_back(submesh(mesh, sorted[i].faces));
+        meshes.push_back(benchmarks::cut_out(mesh, sorted[i].faces));
     }
     return meshes;
 }

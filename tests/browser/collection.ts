@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import type { Browser } from 'playwright-core';
 
 import { type WrittenModels, writeModels } from './models';
-import { buildIndex, type Server, startServer } from './server';
+import { buildIndex, type Server, type ServerSetting, startServer } from './server';
 import { launchBrowser } from './visitor';
 
 /** A small collection that is served, and a browser to look at it with. */
@@ -16,7 +16,7 @@ export interface ServedCollection {
     stop(): Promise<void>;
 }
 
-export async function serveCollection(): Promise<ServedCollection> {
+export async function serveCollection(setting: ServerSetting = {}): Promise<ServedCollection> {
     const folder = mkdtempSync(join(tmpdir(), 'ossuary-browser-'));
     const models = writeModels(folder);
     let server: Server | undefined;
@@ -29,7 +29,7 @@ export async function serveCollection(): Promise<ServedCollection> {
     try {
         const index = join(folder, 'collection.ossuary');
         buildIndex(index, models.folder, models.classes);
-        server = await startServer(index);
+        server = await startServer(index, setting);
         browser = await launchBrowser();
         return { models, origin: server.origin, browser, stop };
     } catch (error) {

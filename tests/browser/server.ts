@@ -76,16 +76,26 @@ function announcedOrigin(child: ChildProcess): Promise<string> {
 /** Of the servers that the tests start. */
 export const kAdminKey = 'a-key-for-tests-0123456789';
 
+/** Of readers, where a server has one. */
+export const kReadKey = 'read-key-for-tests-0123';
+
+export interface ServerSetting {
+    /** Further options of the command line. */
+    options?: readonly string[];
+    environment?: Readonly<Record<string, string>>;
+}
+
 /** Serves `index` and the built gallery on a port that is free. */
-export async function startServer(index: string): Promise<Server> {
+export async function startServer(index: string, setting: ServerSetting = {}): Promise<Server> {
     const web = fromRoot('web/dist');
     if (!existsSync(`${web}/index.html`)) {
         throw new Error('web/dist is missing: run `npm run build` in web/ first');
     }
     const server = program('OSSUARY_SERVER', 'build/release/bin/ossuary-server');
-    const child = spawn(server, ['--index', index, '--web', web, '--port', '0'], {
+    const options = ['--index', index, '--web', web, '--port', '0', ...(setting.options ?? [])];
+    const child = spawn(server, options, {
         stdio: ['ignore', 'pipe', 'inherit'],
-        env: { ...process.env, OSSUARY_ADMIN_KEY: kAdminKey },
+        env: { ...process.env, OSSUARY_ADMIN_KEY: kAdminKey, ...setting.environment },
     });
     const ended = new Promise<void>((resolve) => child.on('exit', () => resolve()));
     const origin = await announcedOrigin(child);

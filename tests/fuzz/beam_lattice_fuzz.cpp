@@ -26,7 +26,9 @@ float float_at(const std::uint8_t* bytes) {
 
 index::Beam beam_at(const std::uint8_t* bytes) {
     // One number more than there are nodes.
-    const auto node = [](std::uint8_t byte) { return std::uint32_t{byte} % (kNodes + 1); };
+    const auto node = [](std::uint8_t byte) {
+        return static_cast<std::uint32_t>(byte % (kNodes + 1));
+    };
     index::Beam beam;
     beam.nodes = {node(bytes[0]), node(bytes[1])};
     beam.radii = {float_at(bytes + 2), float_at(bytes + 6)};

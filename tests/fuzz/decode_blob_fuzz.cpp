@@ -46,6 +46,7 @@ const std::array kCodecs{
     Codec{kSignatureBlob, [](std::string_view b) { check(b, decode_signature, encode_signature); }},
     Codec{kPreviewBlob, [](std::string_view b) { check(b, decode_preview, encode_preview); }},
     Codec{kSegmentsBlob, [](std::string_view b) { check(b, decode_segments, encode_segments); }},
+    Codec{kFeaturesBlob, [](std::string_view b) { check(b, decode_features, encode_features); }},
     Codec{kThumbnailBlob, [](std::string_view b) { check(b, decode_thumbnail, encode_thumbnail); }},
     Codec{kStatisticsBlob,
           [](std::string_view b) { check(b, decode_statistics, encode_statistics); }},

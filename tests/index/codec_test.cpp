@@ -63,6 +63,8 @@ std::vector<Case> cases() {
          recoder(decode_preview, encode_preview), true},
         {"segments", kSegmentsBlob, encode_segments(*model.segments),
          recoder(decode_segments, encode_segments)},
+        {"features", kFeaturesBlob, encode_features(model.features),
+         recoder(decode_features, encode_features), true},
         {"thumbnail", kThumbnailBlob, encode_thumbnail(model.thumbnail),
          recoder(decode_thumbnail, encode_thumbnail)},
         {"statistics", kStatisticsBlob, encode_statistics({{1.0, -0.0, 1e-310, 3.25}}),
@@ -250,6 +252,27 @@ TEST(Codec, GivesBackSegmentsOfAnyNumberOfParts) {
             EXPECT_EQ(read->parts[p].neighbors, segments.parts[p].neighbors);
         }
     }
+}
+
+TEST(Codec, RefusesFeaturesThatCannotBe) {
+    const registration::WholeFeatures sound = test::sample_model(4, "/x").features;
+    const auto read = decode_features(encode_features(sound));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->area, sound.area);
+    EXPECT_EQ(read->features.points, sound.features.points);
+    EXPECT_EQ(read->features.normals, sound.features.normals);
+    EXPECT_EQ(read->features.at(1, 2).values, sound.features.at(1, 2).values);
+    const auto refused = [&sound](const auto& change) {
+        registration::WholeFeatures changed = sound;
+        change(changed);
+        const auto decoded = decode_features(encode_features(changed));
+        return !decoded && decoded.error().code == ErrorCode::kIndexCorrupt;
+    };
+    EXPECT_TRUE(refused([](auto& f) { f.area = -1.0; }));
+    EXPECT_TRUE(refused([](auto& f) { f.features.points[1].x() = std::nan(""); }));
+    EXPECT_TRUE(refused([](auto& f) { f.features.radii[1] = 2.0; })) << "out of order";
+    EXPECT_TRUE(refused([](auto& f) { f.features.radii[0] = 0.0; }));
+    EXPECT_TRUE(refused([](auto& f) { f.features.features.pop_back(); })) << "one too few";
 }
 
 TEST(Codec, RefusesSegmentsThatCannotBe) {

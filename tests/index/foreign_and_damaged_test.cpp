@@ -137,7 +137,7 @@ TEST_F(DamagedIndex, ASoundOneHasNoFindings) {
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->findings.empty());
     EXPECT_EQ(report->models, 6U);
-    EXPECT_EQ(report->blobs, 6U * 7U + 3U);
+    EXPECT_EQ(report->blobs, 6U * 8U + 3U);
 }
 
 TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
@@ -152,6 +152,7 @@ TEST_F(DamagedIndex, VerifyFindsEveryKindOfDamage) {
              "UPDATE previews SET mesh = x'4D455348' WHERE model = 2",
              "UPDATE segments SET segments = x'50415254' WHERE model = 2",
              "UPDATE segments SET segments = zeroblob(64) WHERE model = 2",
+             "UPDATE surface_features SET features = zeroblob(64) WHERE model = 2",
              "DELETE FROM segments WHERE model = 2",
              "UPDATE thumbnails SET png = x'89504E47' WHERE model = 2",
              "UPDATE branches SET chain_code = '5' WHERE model = 2 AND branch = 0",
@@ -305,6 +306,7 @@ TEST_F(DamagedIndex, FlippedBytesGiveErrorsOrFindingsButNoCrash) {
         (void)store->listed(1, 6);
         (void)store->loops(1, 6);
         (void)store->evaluations();
+        (void)store->features(0, 10);
         for (ModelId id = 1; id <= 6; ++id) {
             (void)store->skeleton(id);
             (void)store->preview(id);

@@ -117,6 +117,16 @@ index::NewModel sample_model(std::uint64_t seed, const std::string& path) {
     model.segments.emplace();
     model.segments->parts = {{2, numbers.real(), 0, {1}}, {1, numbers.real(), -1, {0}}};
     model.segments->labels = {0, 1, 0};
+    model.features.area = numbers.real();
+    model.features.features.points = {Vec3(0.5, 0, 1), Vec3(0, -0.25, 2)};
+    model.features.features.normals = {Vec3(1, 0, 0), Vec3(0, -1, 0)};
+    model.features.features.radii = {0.5, 0.75, 1.0};
+    model.features.features.features.resize(6);
+    for (auto& feature : model.features.features.features) {
+        for (auto& value : feature.values) {
+            value = static_cast<std::uint8_t>(9 * numbers.below(16));
+        }
+    }
     model.thumbnail = {
         0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n', static_cast<std::uint8_t>(seed)};
     return model;

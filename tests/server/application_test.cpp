@@ -355,13 +355,6 @@ TEST_F(Application, RefusesToStartOnWhatIsNotAnIndex) {
     EXPECT_EQ(error(folder_.path() / "text"), "index_foreign");
 }
 
-TEST_F(Application, RefusesAShortKey) {
-    write_file(folder_.path() / "short", "short\n");
-    EXPECT_FALSE(server::read_admin_key(folder_.path() / "short"));
-    EXPECT_FALSE(server::read_admin_key(folder_.path() / "none"));
-    EXPECT_EQ(*server::read_admin_key(folder_.path() / "key"), kKey);
-}
-
 TEST(ConstantTime, ComparesWholeTexts) {
     EXPECT_TRUE(server::equal_in_constant_time("", ""));
     EXPECT_TRUE(server::equal_in_constant_time("abc", "abc"));

@@ -58,7 +58,7 @@ public:
         if (request.head.path == "/large") json["filling"] = std::string(100'000, 'x');
         return answer("application/json", json.dump());
     }
-    void complete(Response& response, const std::string& id) override {
+    void complete(Response& response, const RequestHead&, const std::string& id) override {
         response.set_header("X-Request-Id", id);
     }
     void finished(const Exchange& done) override {

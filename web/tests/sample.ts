@@ -89,6 +89,7 @@ export function model(id: number, fields: Partial<ModelSummary> = {}): ModelSumm
 export function hit(rank: number, fields: Partial<Hit> = {}): Hit {
     return {
         rank,
+        placement: null,
         id: 100 + rank,
         name: `hit${rank}`,
         class: 'chair',

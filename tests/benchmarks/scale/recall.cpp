@@ -1,6 +1,6 @@
 // How many of the exact ten nearest models a search of an index finds, by the width of its stages:
-// the share that passes the scan of signatures, the sketches, the global descriptors, and the time
-// of a whole search with the default widths. Queries are models of the index, spread over it.
+// the share that passes the scan of signatures and the sketches, and the time of a whole search
+// with the default widths. Queries are models of the index, spread over it.
 //   ossuary_recall INDEX [QUERIES [JOBS]]
 #include <fmt/format.h>
 
@@ -175,20 +175,9 @@ void run(const char* path, std::size_t count, int jobs) {
                         keep(models_kept, width);
                         return models_kept;
                     });
-        if (scanned != widths.by_signature) continue;
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-            unwrap(queries[i].search->measure_cheaply(sketched[i]));
-        }
-        print_curve("globals", queries, {25, 50, 100, 150, 200, 300, 400, 800},
-                    [&](const Query& query, std::size_t width) {
-                        auto models_kept =
-                            sketched[static_cast<std::size_t>(&query - queries.data())];
-                        keep(models_kept, width);
-                        return models_kept;
-                    });
     }
     std::vector<double> times;
-    print_curve("search", queries, {widths.by_globals}, [&](const Query& query, std::size_t) {
+    print_curve("search", queries, {widths.by_sketch}, [&](const Query& query, std::size_t) {
         const Stopwatch watch;
         auto found = unwrap(ranking::nearest_models(*query.model, cached, preselection,
                                                     snapshot->normalization(), options,

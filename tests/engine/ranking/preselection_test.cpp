@@ -64,12 +64,7 @@ private:
 
 /// Stages so narrow that a small collection goes through all of them.
 NearestOptions narrow() {
-    return {.count = 2,
-            .spare = 0,
-            .exhaustive_below = 10,
-            .by_signature = 30,
-            .by_sketch = 25,
-            .by_globals = 20};
+    return {.count = 2, .spare = 0, .exhaustive_below = 10, .by_signature = 30, .by_sketch = 20};
 }
 
 TEST_F(PreselectionTest, ScansToTheNearestSignatures) {
@@ -146,7 +141,7 @@ TEST_F(PreselectionTest, HasMoreToSpareWithoutLookingAtEverything) {
     const auto wanted = *scanned.nearest(*all[6], statistics, {}, nearest);
     nearest.spare = all.size();
     const auto more = *scanned.nearest(*all[6], statistics, {}, nearest);
-    EXPECT_EQ(more.size(), nearest.by_globals);
+    EXPECT_EQ(more.size(), nearest.by_sketch);
     EXPECT_EQ(indices({more.begin(), more.begin() + 2}), indices(wanted));
     nearest.exhaustive_below = all.size();
     nearest.spare = 3;

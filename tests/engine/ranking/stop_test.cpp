@@ -139,7 +139,7 @@ TEST_F(Stop, EndsARankingAndANearestSearch) {
         expect_to_stop(
             [&](const std::stop_token& stop) {
                 options.stop = stop;
-                const NearestOptions narrow{.count = 1000, .exhaustive_below = 0, .by_globals = 10};
+                const NearestOptions narrow{.count = 1000, .exhaustive_below = 0, .by_sketch = 10};
                 return code_of(nearest_models(query(), source, preselection, Normalization(),
                                               options, narrow));
             },

@@ -79,6 +79,14 @@ TEST(ThreeMfPackage, LosesTheRelationsOfAPartToPrintTicketsAndToWhatIsNotThere) 
     EXPECT_EQ(member(trimmed->bytes, "3D/_rels/part.model.rels"), relations(here));
 }
 
+TEST(ThreeMfPackage, LosesARelationOnceThatBeginsWithinAnother) {
+    const std::string within = "<Relationship Id=\"<Relationship \"/>";
+    const auto trimmed = trim_package(package(within + kModel));
+    ASSERT_TRUE(trimmed);
+    EXPECT_EQ(trimmed->dropped, 1u);
+    EXPECT_EQ(member(trimmed->bytes, "_rels/.rels"), relations(kModel));
+}
+
 TEST(ThreeMfPackage, IsReadWithoutTheThumbnailThatItNames) {
     ModelReader reader;
     const std::string bytes = package(kModel + relation("/Metadata/thumbnail.png", kThumbnailType));

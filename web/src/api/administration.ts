@@ -1,4 +1,5 @@
 import { ApiError, isAbort, problemFrom, unreachable } from './problem';
+import { kRoot } from './root';
 import { sendForm, type SentForm } from './send_form';
 import type { FailureList, Job, Jobs } from './types';
 
@@ -65,14 +66,15 @@ export function createAdministration(
 
     return {
         async failures(signal) {
-            return (await request<FailureList>('/v1/failures', signal ? { signal } : {})).failures;
+            return (await request<FailureList>(`${kRoot}/v1/failures`, signal ? { signal } : {}))
+                .failures;
         },
         async add(file, className, onSent, signal) {
             const body = new FormData();
             body.append('model', file, file.name);
             const query = className === '' ? '' : `?${new URLSearchParams({ class: className })}`;
             const response = await send({
-                path: `/v1/models${query}`,
+                path: `${kRoot}/v1/models${query}`,
                 headers,
                 body,
                 onSent,
@@ -81,16 +83,17 @@ export function createAdministration(
             const { job } = await answered<{ job: string }>(response);
             return Number(job.slice(job.lastIndexOf('/') + 1));
         },
-        job: (id, signal) => request<Job>(`/v1/jobs/${id}`, signal ? { signal } : {}),
+        job: (id, signal) => request<Job>(`${kRoot}/v1/jobs/${id}`, signal ? { signal } : {}),
         async jobs(signal) {
-            return (await request<Jobs>('/v1/jobs?limit=100', signal ? { signal } : {})).jobs;
+            return (await request<Jobs>(`${kRoot}/v1/jobs?limit=100`, signal ? { signal } : {}))
+                .jobs;
         },
         async remove(model) {
-            await request(`/v1/models/${model}`, { method: 'DELETE' });
+            await request(`${kRoot}/v1/models/${model}`, { method: 'DELETE' });
         },
         async classify(model, className) {
             const query = new URLSearchParams({ class: className });
-            await request(`/v1/models/${model}?${query}`, { method: 'PATCH' });
+            await request(`${kRoot}/v1/models/${model}?${query}`, { method: 'PATCH' });
         },
     };
 }

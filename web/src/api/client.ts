@@ -14,6 +14,7 @@ import type {
     Segments,
     Skeleton,
 } from './types';
+import { kRoot } from './root';
 
 export interface ClientOptions {
     /** Before every path; empty: the page's own origin. */
@@ -111,11 +112,13 @@ export interface Client {
 
 /** Where the server has what it holds of a model. */
 export function pathOf(model: HeldModel): string {
-    return model.kind === 'model' ? `/v1/models/${model.id}` : `/v1/queries/${model.token}`;
+    return model.kind === 'model'
+        ? `${kRoot}/v1/models/${model.id}`
+        : `${kRoot}/v1/queries/${model.token}`;
 }
 
 export function evaluationPath(ranker: Ranker, form: '' | '.csv' | '.svg' = ''): string {
-    return `/v1/evaluations/${ranker}${form}`;
+    return `${kRoot}/v1/evaluations/${ranker}${form}`;
 }
 
 const kFilterNames = Object.keys(kAllModels) as (keyof ModelFilter)[];
@@ -217,7 +220,7 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
             const body = new FormData();
             body.append('model', file, file.name);
             const response = await sendFile({
-                path: `${base}/v1/search?${query}`,
+                path: `${base}${kRoot}/v1/search?${query}`,
                 headers: { Accept: 'application/json, application/problem+json' },
                 body,
                 onSent,
@@ -225,23 +228,23 @@ export function createClient(options: Partial<ClientOptions> = {}): Client {
             });
             return answered<SearchResult>(response);
         },
-        progress: (token, signal) => get(`/v1/progress/${token}`, signal),
+        progress: (token, signal) => get(`${kRoot}/v1/progress/${token}`, signal),
         similar(model, parameters, signal) {
             return get(`${pathOf(model)}/similar?${encodeSearch(parameters)}`, signal);
         },
         compare(a, b, parameters, signal) {
-            return get(`/v1/compare?${encodeComparison(a, b, parameters)}`, signal);
+            return get(`${kRoot}/v1/compare?${encodeComparison(a, b, parameters)}`, signal);
         },
         models: (filter, stretch, signal) =>
-            get(`/v1/models?${encodeList(filter, stretch)}`, signal),
+            get(`${kRoot}/v1/models?${encodeList(filter, stretch)}`, signal),
         facets(filter, signal, withLoops = false) {
             const query = encodeFilter(filter);
             if (withLoops) {
                 query.set('include', 'loops');
             }
-            return get(`/v1/facets?${query}`, signal);
+            return get(`${kRoot}/v1/facets?${query}`, signal);
         },
-        model: (id, signal) => get(`/v1/models/${id}`, signal),
+        model: (id, signal) => get(`${kRoot}/v1/models/${id}`, signal),
         mesh: (model, signal) => get(`${pathOf(model)}/mesh`, signal),
         skeleton: (model, signal) => get(`${pathOf(model)}/skeleton`, signal),
         segments: (model, signal) => get(`${pathOf(model)}/segments`, signal),

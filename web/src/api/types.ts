@@ -950,6 +950,18 @@ export interface components {
             pose_difference: components["schemas"]["PoseDifference"];
             /** @description Matched pairs of nodes. */
             matched_nodes: number;
+            /** @description Where a part lies in the hit; null without `part`, and where no place was looked for or found. */
+            placement: {
+                /**
+                 * @description Rows of the 4 x 4 matrix that takes points of the query (its file's coordinates, as columns)
+                 *     to points of the hit.
+                 */
+                matrix: number[][];
+                /** @description How much larger the part is in the hit. */
+                scale: number;
+                /** @description Share of the part's area that lies on the hit and faces its way. */
+                explained: number;
+            } | null;
             match: components["schemas"]["Match"];
         };
         SearchResult: {
@@ -1149,7 +1161,7 @@ export interface components {
          * @description Stable; new ones may be added.
          * @enum {string}
          */
-        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "archive_invalid" | "archive_member" | "archive_several" | "archive_empty" | "object_missing" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "query_not_found" | "original_not_available" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
+        ProblemCode: "invalid_argument" | "cancelled" | "internal" | "out_of_memory" | "file_not_found" | "file_unreadable" | "file_unwritable" | "file_too_large" | "format_unsupported" | "format_unknown" | "off_header" | "off_binary" | "off_dimension" | "off_counts" | "off_too_many_vertices" | "off_too_many_faces" | "off_too_many_corners" | "off_truncated" | "off_bad_number" | "off_non_finite" | "off_index_out_of_range" | "off_line_too_long" | "stl_syntax" | "stl_too_many_vertices" | "stl_too_many_faces" | "stl_too_many_corners" | "stl_truncated" | "stl_bad_number" | "stl_non_finite" | "obj_binary" | "obj_too_many_vertices" | "obj_too_many_faces" | "obj_too_many_corners" | "obj_truncated" | "obj_bad_number" | "obj_non_finite" | "obj_index_out_of_range" | "ply_header" | "ply_too_many_vertices" | "ply_too_many_faces" | "ply_too_many_corners" | "ply_truncated" | "ply_bad_number" | "ply_non_finite" | "ply_index_out_of_range" | "xyz_too_many_points" | "xyz_truncated" | "xyz_bad_number" | "xyz_non_finite" | "three_mf_invalid" | "three_mf_extension" | "gltf_invalid" | "gltf_extension" | "gltf_buffer" | "scene_invalid" | "model_too_many_vertices" | "model_too_many_faces" | "model_too_many_corners" | "model_non_finite" | "reader_time" | "reader_memory" | "reader_crashed" | "reader_unavailable" | "mesh_empty" | "mesh_no_extent" | "solid_empty" | "npy_invalid" | "nrrd_invalid" | "nifti_invalid" | "binvox_invalid" | "volume_detached" | "gzip_invalid" | "archive_invalid" | "archive_member" | "archive_several" | "archive_empty" | "object_missing" | "volume_too_large" | "mesh_scale" | "points_too_few" | "cla_invalid" | "cla_unknown_model" | "seg_invalid" | "index_not_found" | "index_foreign" | "index_newer" | "index_corrupt" | "index_busy" | "index_io" | "index_parameters" | "model_not_found" | "evaluation_not_found" | "index_replaced" | "upload_abandoned" | "prune_refused" | "malformed_request" | "control_characters" | "bad_escape" | "ambiguous_length" | "body_unexpected" | "body_incomplete" | "body_empty" | "multipart_invalid" | "parameter_unknown" | "parameter_repeated" | "parameter_missing" | "parameter_invalid" | "admin_key_missing" | "admin_key_wrong" | "read_key_missing" | "read_key_wrong" | "admin_disabled" | "cross_site_request" | "route_not_found" | "file_not_served" | "job_not_found" | "query_not_found" | "original_not_available" | "segments_not_available" | "thumbnail_not_available" | "method_not_allowed" | "request_timeout" | "length_required" | "payload_too_large" | "uri_too_long" | "media_type_unsupported" | "content_encoding_unsupported" | "expectation_failed" | "host_not_served" | "too_many_fields" | "fields_too_large" | "method_unknown" | "version_unsupported" | "overloaded" | "search_timeout" | "shutting_down";
     };
     responses: {
         /** @description What `If-None-Match` names is still true. */
@@ -1320,9 +1332,12 @@ export interface components {
         /** @description Whether to re-rank by what the models of the collection have in common with each other. */
         Rerank: boolean;
         /**
-         * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-         *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-         *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+         * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+         *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+         *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+         *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+         *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+         *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
          */
         Part: boolean;
         /**
@@ -1466,9 +1481,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -1592,9 +1610,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -2042,9 +2063,12 @@ export interface operations {
                 /** @description Whether to re-rank by what the models of the collection have in common with each other. */
                 rerank?: components["parameters"]["Rerank"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
                 /**
@@ -2299,9 +2323,12 @@ export interface operations {
                 /** @description How far the size counts, for models that are all in one unit, from 0 (not at all) to 1. `chain-code` and parts take no notice of it. */
                 size?: components["parameters"]["Size"];
                 /**
-                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model, by skeletons
-                 *     alone: an arm finds people. The `ranker` is then of no consequence, and `rerank` is refused. A part
-                 *     is smaller than the whole by an unknown factor, and what the whole has besides is free.
+                 * @description Whether the query (of a comparison: `a`) is looked for as a part of the other model: an arm finds
+                 *     people. Models are put in order by local features of their surfaces and by skeletons, in the most
+                 *     alike the part is laid where it fits best (`placement` of the hit), and what lies in its place
+                 *     comes first. Comparisons go by skeletons alone. The `ranker` is then of no consequence, and
+                 *     `rerank` is refused. A part is smaller than the whole by an unknown factor, and what the whole has
+                 *     besides is free. The query's warning `features_missing` counts models whose surface is not known.
                  */
                 part?: components["parameters"]["Part"];
             };

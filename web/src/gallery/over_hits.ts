@@ -19,6 +19,7 @@ function asHit({ b, ...found }: Comparison): Hit {
     return {
         rank: 1,
         copies: 0,
+        placement: null,
         thumbnail: links.thumbnail,
         ...{ id, name, class: b.class, path, faces, extent },
         ...{ distance, parts, build_difference, pose_difference, matched_nodes, match },
