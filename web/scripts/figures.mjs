@@ -162,7 +162,13 @@ try {
     );
     say(
         'one laid over the other',
-        await nextPaint(hits, () => hits.getByLabel('Overlay', { exact: true }).click()),
+        // Off and on again: it is there before the clock stops.
+        await nextPaint(hits, async () => {
+            const overlay = hits.getByLabel('Overlay', { exact: true });
+            await overlay.uncheck();
+            await overlay.check();
+            await hits.locator('.overlay canvas').waitFor();
+        }),
         100,
     );
     await hits.context().close();

@@ -30,7 +30,7 @@ export interface HitGridOptions {
 }
 
 /** Cards that a frame has time for. */
-const kAtOnce = 12;
+const kAtOnce = 6;
 
 export interface HitGrid {
     node: HTMLElement;
