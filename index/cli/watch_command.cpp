@@ -9,6 +9,7 @@
 #include "index/cli/command.h"
 #include "index/cli/console.h"
 #include "index/cli/index_arguments.h"
+#include "index/json_text.h"
 #include "index/keep_indexed.h"
 #include "index/presentation.h"
 #include "index/timestamp.h"
@@ -63,7 +64,7 @@ private:
     }
     void say(const index::IndexOutcome& outcome) const {
         if (session_.json) {
-            std::cout << index::to_json(outcome).dump() << std::endl;
+            std::cout << index::json_text(index::to_json(outcome)) << std::endl;
         } else {
             std::cout << terminal_format("{} {}: {} of {} files in {}\n", index::utc_now(),
                                          arguments_.index_path, outcome_text(outcome),
