@@ -23,8 +23,8 @@ inline constexpr int kFirstVersionWithCollection = 2;  ///< statistics, evaluati
 inline constexpr int kFirstVersionWithSegments = 3;
 inline constexpr int kFirstVersionWithUploads = 4;  ///< and with checksums of rows
 inline constexpr int kFirstVersionWithOrientations = 5;
-inline constexpr int kFirstVersionWithFrames = 6;  ///< what files say of units and axes
-inline constexpr int kFirstVersionWithScan = 7;    ///< blocks of what searches look at
+inline constexpr int kFirstVersionWithFrames = 6;    ///< what files say of units and axes
+inline constexpr int kFirstVersionWithScan = 7;      ///< blocks of what searches look at
 inline constexpr int kFirstVersionWithFeatures = 8;  ///< of surfaces, for parts
 
 }  // namespace ossuary::index

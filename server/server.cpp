@@ -60,8 +60,8 @@ struct Server::Parts {
                 options.searches_waiting),
           evaluations(evaluate_over(options.index), {.models = options.evaluation_models}, log),
           queries({.bytes = options.kept_queries_bytes}),
-          service{options, log,   metrics, searcher, reader,  slots,   evaluations,
-                  queries, progress, files, Key(), Key(), nullptr, nullptr, random_word()},
+          service{options,  log,   metrics, searcher, reader,  slots,   evaluations,  queries,
+                  progress, files, Key(),   Key(),    nullptr, nullptr, random_word()},
           watch(searcher, log),
           application(service),
           http(options.http, application) {}
