@@ -68,13 +68,14 @@ describe('the order of hits', () => {
         await page.keyboard.press('ArrowDown');
         await page.waitForURL(/sort=name/);
         const sorted = [...nearest].sort((a, b) => a.localeCompare(b, 'en', { numeric: true }));
-        expect(await names()).toEqual(sorted);
+        // Cards come a few a frame.
+        await expect.poll(names).toEqual(sorted);
         expect(await page.evaluate(() => document.activeElement?.getAttribute('name'))).toBe(
             'order',
         );
         await page.reload();
         await page.getByRole('list', { name: 'Hits by: Name' }).waitFor();
-        expect(await names()).toEqual(sorted);
+        await expect.poll(names).toEqual(sorted);
         // From hit to hit it goes in that order.
         await page.locator('.hit-card .card-link').first().click();
         await page.locator('dialog .match-table').waitFor();
