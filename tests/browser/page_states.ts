@@ -33,7 +33,7 @@ async function upload(page: Page, file: string, name = basename(file)): Promise<
 
 async function openOptions(page: Page): Promise<void> {
     // Where there is room they are open.
-    const options = page.locator('details.options');
+    const options = page.locator('details.options:not(.more-filters)');
     if ((await options.getAttribute('open')) === null) {
         await options.locator('> summary').click();
     }
