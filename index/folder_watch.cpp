@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -77,14 +78,16 @@ struct FolderWatch::Impl {
     FolderWatchOptions options;
     Descriptor inotify, woken;
     std::map<int, fs::path> folders;  ///< by watch
-    std::set<int> seen;               ///< watches of this refresh: each folder once, however linked
+    std::set<int> seen;               ///< watches of this refresh
+    std::set<int>
+        entered;  ///< of these, where what is below was looked at: each once, however linked
     std::vector<fs::path> untold;
     Clock::time_point next_rescan;
 
     void add_root(const fs::path& root, const std::stop_token& stop);
     void add_folder(const fs::path& folder, const std::stop_token& stop);
-    /// Whether what is below is to be watched, too: not where it was already, or cannot be.
-    bool watch(const fs::path& folder);
+    /// The folder's watch; none where there can be none.
+    std::optional<int> watch(const fs::path& folder);
     [[nodiscard]] bool counts(const inotify_event& event) const;
     /// Takes all that has been told; whether some of it counts.
     bool drain();
@@ -106,7 +109,8 @@ void FolderWatch::Impl::add_folder(const fs::path& top, const std::stop_token& s
     while (!open.empty() && !stop.stop_requested()) {
         const fs::path folder = std::move(open.back());
         open.pop_back();
-        if (!watch(folder)) continue;
+        const auto number = watch(folder);
+        if (!number || !entered.insert(*number).second) continue;
         std::error_code fault;
         for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
              entry.increment(fault)) {
@@ -119,16 +123,17 @@ void FolderWatch::Impl::add_folder(const fs::path& top, const std::stop_token& s
     }
 }
 
-bool FolderWatch::Impl::watch(const fs::path& folder) {
+std::optional<int> FolderWatch::Impl::watch(const fs::path& folder) {
     const int number = inotify_add_watch(inotify.get(), folder.c_str(), kChanges);
     if (number < 0) {
         if (errno == ENOSPC) untold.push_back(folder);
-        return false;
+        return std::nullopt;
     }
-    if (!seen.insert(number).second) return false;
-    folders[number] = folder;
-    if (is_shared(folder)) untold.push_back(folder);
-    return true;
+    if (seen.insert(number).second) {
+        folders[number] = folder;
+        if (is_shared(folder)) untold.push_back(folder);
+    }
+    return number;
 }
 
 bool FolderWatch::Impl::counts(const inotify_event& event) const {
@@ -192,6 +197,7 @@ Result<FolderWatch> FolderWatch::open(std::vector<fs::path> roots, FolderWatchOp
 
 void FolderWatch::refresh(const std::stop_token& stop) {
     impl_->seen.clear();
+    impl_->entered.clear();
     impl_->untold.clear();
     for (const fs::path& root : impl_->roots) impl_->add_root(root, stop);
     std::erase_if(impl_->folders,

@@ -1,5 +1,6 @@
 #include "index/keep_indexed.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <utility>
@@ -43,18 +44,19 @@ private:
     /// False where it is to be tried again soon.
     bool bring_up_to_date() {
         std::vector<fs::path> missing;
-        IndexOptions there = indexing_;
-        std::erase_if(there.paths, [&](const fs::path& path) {
+        for (const fs::path& path : indexing_.paths) {
             std::error_code fault;
-            const bool gone = !fs::exists(path, fault);
-            if (gone) missing.push_back(path);
-            return gone;
-        });
+            if (!fs::exists(path, fault)) missing.push_back(path);
+        }
         if (missing != missing_) sink_.missing(missing);
         missing_ = missing;
         auto outcome = index_models(store_, indexing_, sink_, stop_);
         // A path that has never been there is an error of the run; others then go on without it.
         if (!outcome && outcome.error().code == ErrorCode::kFileNotFound && !missing.empty()) {
+            IndexOptions there = indexing_;
+            std::erase_if(there.paths, [&](const fs::path& path) {
+                return std::ranges::find(missing, path) != missing.end();
+            });
             if (there.paths.empty()) return true;
             outcome = index_models(store_, there, sink_, stop_);
         }

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <utility>
 
 #include "index/cli/command.h"
@@ -34,6 +35,7 @@ public:
         std::cerr << terminal_format("{}: {}\n", failure.code, failure.message);
     }
     void ran(const index::IndexOutcome& outcome) override {
+        failure_.clear();
         const bool first = std::exchange(first_, false);
         if (first || changed(outcome)) say(outcome);
         std::size_t refused = 0;
@@ -41,7 +43,11 @@ public:
         if (refused != refused_) print_refusals(outcome.refusals, session_);
         refused_ = refused;
     }
-    void run_failed(const Error& error) override { print_error(error, session_); }
+    void run_failed(const Error& error) override {
+        // There is another run every few seconds.
+        if (error.message != failure_) print_error(error, session_);
+        failure_ = error.message;
+    }
     void missing(const std::vector<std::filesystem::path>& paths) override {
         for (const auto& path : paths) {
             std::cerr << terminal_format("{}: not there; looked for from time to time\n",
@@ -77,6 +83,7 @@ private:
     const Session& session_;
     bool first_ = true;
     std::size_t refused_ = 0;
+    std::string failure_;  ///< of the last run, where it failed
 };
 
 std::chrono::milliseconds milliseconds(double seconds) {

@@ -223,6 +223,21 @@ TEST_F(KeepIndexed, IsContentWithNothingUntilThereIsSomething) {
     EXPECT_TRUE(heard_.errors().empty());
 }
 
+TEST(FolderWatch, WatchesWhatIsBelowAFolderWhoseFileIsNamedToo) {
+    const test::TemporaryFolder folder;
+    fs::create_directories(folder.path() / "sub");
+    test::write_file(folder.path() / "a.off", "a");
+    FolderWatchOptions options;
+    options.settle = 10ms;
+    options.rescan = 20s;
+    auto watch = FolderWatch::open({folder.path() / "a.off", folder.path()}, options);
+    ASSERT_TRUE(watch);
+    watch->refresh();
+    test::write_file(folder.path() / "sub/b.off", "b");
+    EXPECT_EQ(watch->wait({}), FolderWatch::Reason::kChange);
+    EXPECT_TRUE(watch->untold().empty());
+}
+
 TEST(FolderWatch, WaitsUntilChangesHaveSettled) {
     const test::TemporaryFolder folder;
     FolderWatchOptions options;
