@@ -72,60 +72,44 @@ const std::vector<std::size_t>& Catalogue::by_name() const {
     return by_name_;
 }
 
-CatalogueBlocks::CatalogueBlocks(const std::vector<StoredScan::Block>& blocks,
-                                 const CatalogueBlocks* previous) {
-    std::vector<Block> known;
-    if (previous != nullptr) {
-        const Lock lock(previous->mutex_);
-        known = previous->blocks_;
-    }
-    const Lock lock(mutex_);
-    auto old = known.begin();
-    for (const StoredScan::Block& block : blocks) {
-        while (old != known.end() && old->number < block.number) ++old;
-        const bool same = old != known.end() && old->models == block.models;
-        blocks_.push_back({block.number, block.models, same ? old->entries : nullptr});
-    }
-}
+namespace {
 
-CatalogueBlocks& CatalogueBlocks::operator=(CatalogueBlocks&& other) noexcept {
-    const Lock theirs(other.mutex_);
-    const Lock ours(mutex_);
-    blocks_ = std::move(other.blocks_);
-    whole_ = std::move(other.whole_);
-    return *this;
-}
-
-Result<std::shared_ptr<const Catalogue>> CatalogueBlocks::load(Store& store) const {
-    const Lock lock(mutex_);
-    if (whole_) return whole_;
-    // Blocks beside each other are read at once, but not so many that their models fill memory.
+/// Blocks beside each other are read at once, but not so many that their models fill memory.
+Result<void> read_entries(Store& store, std::vector<LazyBlock<CatalogueBlock>>& blocks) {
     constexpr std::size_t kAtOnce = 64;
-    for (std::size_t begin = 0; begin < blocks_.size();) {
-        if (blocks_[begin].entries) {
+    for (std::size_t begin = 0; begin < blocks.size();) {
+        if (blocks[begin].value) {
             ++begin;
             continue;
         }
         std::size_t end = begin + 1;
-        while (end < blocks_.size() && end - begin < kAtOnce && !blocks_[end].entries) ++end;
-        const auto listed = store.listed(blocks_[begin].number * kScanBlockModels,
-                                         (blocks_[end - 1].number + 1) * kScanBlockModels - 1);
+        while (end < blocks.size() && end - begin < kAtOnce && !blocks[end].value) ++end;
+        const auto listed = store.listed(blocks[begin].number * kScanBlockModels,
+                                         (blocks[end - 1].number + 1) * kScanBlockModels - 1);
         if (!listed) return listed.error();
         for (; begin < end; ++begin) {
-            Block& block = blocks_[begin];
+            LazyBlock<CatalogueBlock>& block = blocks[begin];
             const auto from = [](const ListedModel& model, ModelId id) { return model.id < id; };
             const auto first = std::lower_bound(listed->begin(), listed->end(),
                                                 block.number * kScanBlockModels, from);
             const auto last =
                 std::lower_bound(first, listed->end(), (block.number + 1) * kScanBlockModels, from);
-            block.entries = std::make_shared<const CatalogueBlock>(
+            block.value = std::make_shared<const CatalogueBlock>(
                 as_scanned(*block.models, std::span(first, last)));
         }
     }
-    std::vector<std::shared_ptr<const CatalogueBlock>> entries;
-    for (const Block& block : blocks_) entries.push_back(block.entries);
-    whole_ = std::make_shared<const Catalogue>(std::move(entries));
-    return whole_;
+    return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Catalogue>> CatalogueBlocks::load(Store& store) const {
+    const auto join = [](const std::vector<LazyBlock<CatalogueBlock>>& blocks) {
+        std::vector<std::shared_ptr<const CatalogueBlock>> entries;
+        for (const auto& block : blocks) entries.push_back(block.value);
+        return std::make_shared<const Catalogue>(std::move(entries));
+    };
+    return blocks_.load([&](auto& blocks) { return read_entries(store, blocks); }, join);
 }
 
 }  // namespace ossuary::index

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/mutex.h"
 #include "engine/core/result.h"
+#include "index/lazy_blocks.h"
 #include "index/model.h"
 #include "index/store.h"
 
@@ -51,29 +51,18 @@ private:
     mutable std::vector<std::size_t> by_name_;  ///< once `named_`
 };
 
-/// The catalogue of one snapshot, read when somebody asks for it; blocks that an earlier snapshot
-/// has are not read again.
+/// The catalogue of one snapshot, read when somebody asks for it.
 class CatalogueBlocks {
 public:
     CatalogueBlocks() = default;
-    explicit CatalogueBlocks(const std::vector<StoredScan::Block>& blocks,
-                             const CatalogueBlocks* previous);
-    CatalogueBlocks(const CatalogueBlocks&) = delete;
-    CatalogueBlocks& operator=(CatalogueBlocks&&) noexcept;
-    ~CatalogueBlocks() = default;
+    CatalogueBlocks(const std::vector<StoredScan::Block>& blocks, const CatalogueBlocks* previous)
+        : blocks_(blocks, previous != nullptr ? &previous->blocks_ : nullptr) {}
 
     /// Errors: those of the store.
     Result<std::shared_ptr<const Catalogue>> load(Store& store) const;
 
 private:
-    struct Block {
-        std::int64_t number = 0;
-        std::shared_ptr<const ScanBlock> models;
-        std::shared_ptr<const CatalogueBlock> entries;  ///< null until read
-    };
-    mutable Mutex mutex_;
-    mutable std::vector<Block> blocks_ OSSUARY_GUARDED_BY(mutex_);
-    mutable std::shared_ptr<const Catalogue> whole_ OSSUARY_GUARDED_BY(mutex_);
+    LazyBlocks<CatalogueBlock, Catalogue> blocks_;
 };
 
 }  // namespace ossuary::index

@@ -4,35 +4,27 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/mutex.h"
 #include "engine/core/result.h"
+#include "index/lazy_blocks.h"
 #include "index/store.h"
 
 namespace ossuary::index {
 
-/// How many loops the skeletons of one snapshot have, read when somebody asks for it; blocks that
-/// an earlier snapshot has are not read again. Apart from the catalogue, which is there ten times
-/// as soon.
+/// How many loops the skeletons of one snapshot have, read when somebody asks for it. Apart from
+/// the catalogue, which is there ten times as soon.
 class LoopBlocks {
 public:
+    using Counts = std::vector<std::uint32_t>;
+
     LoopBlocks() = default;
-    explicit LoopBlocks(const std::vector<StoredScan::Block>& blocks, const LoopBlocks* previous);
-    LoopBlocks(const LoopBlocks&) = delete;
-    LoopBlocks& operator=(LoopBlocks&&) noexcept;
-    ~LoopBlocks() = default;
+    LoopBlocks(const std::vector<StoredScan::Block>& blocks, const LoopBlocks* previous)
+        : blocks_(blocks, previous != nullptr ? &previous->blocks_ : nullptr) {}
 
     /// In the order of positions. Errors: those of the store.
-    Result<std::shared_ptr<const std::vector<std::uint32_t>>> load(Store& store) const;
+    Result<std::shared_ptr<const Counts>> load(Store& store) const;
 
 private:
-    struct Block {
-        std::int64_t number = 0;
-        std::shared_ptr<const ScanBlock> models;
-        std::shared_ptr<const std::vector<std::uint32_t>> loops;  ///< null until read
-    };
-    mutable Mutex mutex_;
-    mutable std::vector<Block> blocks_ OSSUARY_GUARDED_BY(mutex_);
-    mutable std::shared_ptr<const std::vector<std::uint32_t>> whole_ OSSUARY_GUARDED_BY(mutex_);
+    LazyBlocks<Counts, Counts> blocks_;
 };
 
 }  // namespace ossuary::index
