@@ -432,7 +432,7 @@ Result<IndexOutcome> IndexRun::run() {
     if (options_.prune != Prune::kNo) {
         if (const auto pruned = prune(); !pruned) return pruned.error();
     }
-    if (const auto added = add_missing_features(store_, options_.jobs, stop_); !added) {
+    if (const auto added = add_missing_features(store_, options_.jobs, sink_, stop_); !added) {
         return added.error();
     }
     sink_.phase("computing the collection's statistics");

@@ -14,7 +14,8 @@ constexpr std::size_t kAtOnce = 64;
 
 }  // namespace
 
-Result<std::size_t> add_missing_features(Store& store, int jobs, const std::stop_token& stop) {
+Result<std::size_t> add_missing_features(Store& store, int jobs, ProgressSink& sink,
+                                         const std::stop_token& stop) {
     std::size_t made = 0;
     ModelId after = 0;
     while (true) {
@@ -24,6 +25,7 @@ Result<std::size_t> add_missing_features(Store& store, int jobs, const std::stop
         const auto models = store.without_features(after, kAtOnce);
         if (!models) return models.error();
         if (models->empty()) return made;
+        if (made == 0) sink.phase("making features of surfaces that the index lacks");
         after = models->back().id;
         std::vector<mesh::TriangleMesh> meshes(models->size());
         for (std::size_t i = 0; i < models->size(); ++i) {
