@@ -9,7 +9,7 @@ interface Box {
 }
 
 /** A closed box; boxes that overlap are one solid to the voxelization. */
-function box(low: Corner, high: Corner): Box {
+export function box(low: Corner, high: Corner): Box {
     return { low, high };
 }
 
@@ -55,7 +55,7 @@ const kFaces = [
 ];
 
 /** @param color of each face, as OFF files have it; none where it is empty */
-function off(boxes: readonly Box[], color = ''): string {
+export function off(boxes: readonly Box[], color = ''): string {
     const vertices: string[] = [];
     const faces: string[] = [];
     for (const { low, high } of boxes) {

@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, describe, expect, it } from 'vitest';
 
+import { box, off } from './models';
 import { Visits } from './visits';
 
 const visits = new Visits();
@@ -11,35 +12,18 @@ afterEach(() => {
 
 /** Bars across each other: what a search has work with. */
 function lattice(bars: number): Buffer {
-    const vertices: string[] = [];
-    const faces: string[] = [];
-    const bar = (low: number[], high: number[]): void => {
-        const first = vertices.length;
-        for (let corner = 0; corner < 8; corner++) {
-            vertices.push(
-                [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? high : low)[axis]).join(' '),
-            );
-        }
-        for (const face of [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ]) {
-            faces.push(`4 ${face.map((each) => first + each).join(' ')}`);
-        }
-    };
-    for (let x = 0; x < bars; x++) {
-        for (let y = 0; y < bars; y++) {
-            bar([x, y, 0], [x + 0.3, y + 0.3, bars]);
-            bar([x, 0, y], [x + 0.3, bars, y + 0.3]);
-            bar([0, x, y], [bars, x + 0.3, y + 0.3]);
-        }
-    }
+    const places = Array.from({ length: bars * bars }, (_, at) => [
+        at % bars,
+        Math.floor(at / bars),
+    ]);
     return Buffer.from(
-        `OFF\n${vertices.length} ${faces.length} 0\n${[...vertices, ...faces].join('\n')}\n`,
+        off(
+            places.flatMap(([x = 0, y = 0]) => [
+                box([x, y, 0], [x + 0.3, y + 0.3, bars]),
+                box([x, 0, y], [x + 0.3, bars, y + 0.3]),
+                box([0, x, y], [bars, x + 0.3, y + 0.3]),
+            ]),
+        ),
     );
 }
 
