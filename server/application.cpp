@@ -112,9 +112,9 @@ std::optional<Response> Application::admit(const RequestHead& head, const std::s
         response.set_header("Location", service_.options.http.base_path + "/");
         return response;
     }
-    follow_keys();
     // Whoever asks what may be asked has no key yet; whoever watches the server needs none.
     if (head.method != "OPTIONS" && head.path != "/livez" && head.path != "/readyz") {
+        follow_keys();
         if (const auto refusal = judge_reader(head, service_.read_key, service_.admin_key)) {
             return to_response(*refusal, head.path, id);
         }

@@ -67,12 +67,12 @@ void print_hits(const index::SearchResult& result, bool part) {
 /// A search that measures every model of a large collection says so beforehand.
 void say_what_all_costs(std::size_t models, const ranking::RankOptions& rank, std::size_t limit) {
     const ranking::NearestOptions nearest{.count = limit == 0 ? models : limit};
-    if (rank.part) return;  // by features, then of few models by more
     if (models <= nearest.exhaustive_below || !ranking::measures_all(models, rank, nearest)) return;
-    // Of one model on one core: reading its descriptor, then matching it.
-    constexpr double kReadMs = 0.4, kPairMs = 0.1;
-    const double seconds =
-        static_cast<double>(models) * (kReadMs + kPairMs) / 1000.0 / resolve_jobs(rank.jobs);
+    // Of one model on one core: reading its descriptor and matching it, or for a part reading the
+    // features of its surface and comparing them.
+    constexpr double kPairMs = 0.5, kFeaturesMs = 1.5;
+    const double seconds = static_cast<double>(models) * (rank.part ? kFeaturesMs : kPairMs) /
+                           1000.0 / resolve_jobs(rank.jobs);
     std::cerr << terminal_format("every one of {} models is measured for this: some {:.0f} s\n",
                                  models, seconds);
 }

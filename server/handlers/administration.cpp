@@ -1,4 +1,3 @@
-#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "engine/voxel/read_model.h"
@@ -55,8 +54,8 @@ Checked<Response> list_failures(Service& service, const Request& request) {
     for (index::Failure failure : *failures) {
         // Messages name the file as the indexer did: whole.
         const std::string relative = roots.relative(failure.path);
-        assert(!failure.path.empty());
-        for (auto at = failure.message.find(failure.path); at != std::string::npos;
+        for (auto at = failure.message.find(failure.path);
+             at != std::string::npos && !failure.path.empty();
              at = failure.message.find(failure.path, at + relative.size())) {
             failure.message.replace(at, failure.path.size(), relative);
         }
